@@ -1,0 +1,32 @@
+/*!
+\ingroup PkgParametricSurfaceMesherConcepts
+\cgalConcept
+
+A surface in space given by a parametrisation `S : (u,v) -> R^3`, twice differentiable
+wherever it is evaluated. Both functions must be deterministic; they are called once for
+each point of the mesh (`jet()`) and once for each edge whose deviation is looked at (`point()`).
+
+A surface need not check its arguments. A value that is not finite is found by the
+mesher and refused with a `CGAL::Parametric_surface_mesh_error` that names the parameter values.
+
+\cgalHasModel `CGAL::Parametric_function_surface_3<Function, Kernel>`
+\cgalHasModel `CGAL::Parametric_plane_3<Kernel>`
+\cgalHasModel `CGAL::Parametric_cylinder_3<Kernel>`
+\cgalHasModel `CGAL::Parametric_cone_3<Kernel>`
+\cgalHasModel `CGAL::Parametric_sphere_3<Kernel>`
+\cgalHasModel `CGAL::Parametric_torus_3<Kernel>`
+\cgalHasModel `CGAL::Bezier_surface_3<Kernel>`
+\cgalHasModel `CGAL::B_spline_surface_3<Kernel>`
+*/
+class ParametricSurface_3
+{
+public:
+  /// the kernel of the points and vectors: a model of `Kernel` with `double` as number type.
+  typedef unspecified_type Geom_traits;
+
+  /// `S(u,v)`
+  Geom_traits::Point_3 point(double u, double v) const;
+
+  /// `S(u,v)` with all partial derivatives up to second order.
+  CGAL::Surface_jet_3<Geom_traits> jet(double u, double v) const;
+};

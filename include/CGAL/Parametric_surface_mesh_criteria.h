@@ -1,0 +1,252 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESH_CRITERIA_H
+#define CGAL_PARAMETRIC_SURFACE_MESH_CRITERIA_H
+
+#include <CGAL/Mesh_2/Face_badness.h>
+#include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
+
+#include <CGAL/assertions.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+namespace CGAL {
+
+/// \ingroup PkgParametricSurfaceMesherRef
+/// the criteria that a triangle can fail; also the causes in a `Parametric_surface_mesh_report`.
+enum class Mesh_criterion
+{
+  SIZE,      ///< circumradius above `C (S_1 + S_2 + S_3)` (paper, eq. 3)
+  ANGLE,     ///< smallest angle below the bound
+  DEVIATION, ///< deviation ratio `H/L` of an edge above `gamma`
+  DISTANCE,  ///< distance from the surface above the absolute bound
+  USER       ///< a criterion of a derived class
+};
+
+/// \ingroup PkgParametricSurfaceMesherRef
+/// how the boundary division measures the deviation of an edge (paper, section "Curve Division").
+enum class Curve_deviation
+{
+  HEIGHT_OVER_CHORD, ///< `H/L`, arc height over chord length: the paper's simplified form
+  HEIGHT_OVER_RADIUS ///< `H/R`, arc height over the curvature radius at the middle
+};
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+What a mesh must meet. All lengths are in the unit of the surface. A default constructed object asks for a smallest angle
+of 30 degrees, a deviation ratio of 0.05, and sizes from the extent of the boundary.
+
+To add a criterion, derive from this class and give it a class template `Is_bad` that derives from
+`Parametric_surface_mesh_criteria::Is_bad`, as one extends a model of `MeshingCriteria_2`.
+
+\cgalModels `ParametricSurfaceMeshCriteria_2`
+*/
+class Parametric_surface_mesh_criteria
+{
+public:
+  /// the wanted edge length at the parameters `(u,v)`.
+  typedef std::function<double(double u, double v)> Sizing_field;
+
+private:
+  double m_max_edge = 0, m_min_edge = 0;
+  double m_gamma = 0.05, m_angle = 30, m_distance = 0;
+  double m_size_factor = 0.28;
+  std::size_t m_max_number_of_vertices = 50000000;
+  Curve_deviation m_curve_deviation = Curve_deviation::HEIGHT_OVER_CHORD;
+  Sizing_field m_sizing_field;
+
+public:
+  /// \name Criteria
+  /// Each function sets one value and returns the object, so that calls chain.
+  /// @{
+
+  /// the wanted edge length where nothing asks for less, and the longest edge of the boundary division.
+  /// Default: 1/20 of the diagonal of the boundary's bounding box.
+  /// \pre `length > 0`
+  Parametric_surface_mesh_criteria& set_max_edge(double length)
+  {
+    CGAL_precondition(length > 0 && std::isfinite(length));
+    m_max_edge = length;
+    return *this;
+  }
+
+  /// the length below which an edge is not divided for the sake of deviation or size. Default: 1/100 of `max_edge()`.
+  /// \pre `length > 0`
+  Parametric_surface_mesh_criteria& set_min_edge(double length)
+  {
+    CGAL_precondition(length > 0 && std::isfinite(length));
+    m_min_edge = length;
+    return *this;
+  }
+
+  /// the bound `gamma` of the deviation ratio `H/L`. Default: 0.05. \pre `gamma > 0`
+  Parametric_surface_mesh_criteria& set_gamma(double gamma)
+  {
+    CGAL_precondition(gamma > 0);
+    m_gamma = gamma;
+    return *this;
+  }
+
+  /// the bound of the smallest angle, in degrees. Default: 30. Above some 33 degrees refinement
+  /// alone need not succeed; what is left is reported. \pre `0 <= degrees < 60`
+  Parametric_surface_mesh_criteria& set_angle(double degrees)
+  {
+    CGAL_precondition(degrees >= 0 && degrees < 60);
+    m_angle = degrees;
+    return *this;
+  }
+
+  /// the factor `C` of the size criterion (paper, eq. 3): a triangle is too large if its circumradius is above
+  /// `C (S_1 + S_2 + S_3)`, or above 0.91 of that if it has an angle below 46 degrees. With the default the number of triangles
+  /// is that of equilateral ones with the wanted edge length. Default: 0.28. \pre `c > 0`
+  Parametric_surface_mesh_criteria& set_size_factor(double c)
+  {
+    CGAL_precondition(c > 0);
+    m_size_factor = c;
+    return *this;
+  }
+
+  /// the bound of the distance from the surface to a triangle, sampled at its edge middles and its centroid.
+  /// Default: none. \pre `distance > 0`
+  Parametric_surface_mesh_criteria& set_distance(double distance)
+  {
+    CGAL_precondition(distance > 0);
+    m_distance = distance;
+    return *this;
+  }
+
+  /// a field of wanted edge lengths, which bounds the spacing together with `max_edge()`. Its values must be positive.
+  Parametric_surface_mesh_criteria& set_sizing_field(Sizing_field field)
+  {
+    m_sizing_field = std::move(field);
+    return *this;
+  }
+
+  /// the deviation measure of the boundary division.
+  Parametric_surface_mesh_criteria& set_curve_deviation(Curve_deviation measure)
+  {
+    m_curve_deviation = measure;
+    return *this;
+  }
+
+  /// the last guard against a mesh too large for the machine. Default: 50 million.
+  Parametric_surface_mesh_criteria& set_max_number_of_vertices(std::size_t n)
+  {
+    m_max_number_of_vertices = n;
+    return *this;
+  }
+  /// @}
+
+  /// \name Access
+  /// A length of 0 means that the default is to be taken.
+  /// @{
+  double max_edge() const { return m_max_edge; }
+  double min_edge() const { return m_min_edge; }
+  double gamma() const { return m_gamma; }
+  double angle() const { return m_angle; }
+  double size_factor() const { return m_size_factor; }
+  double distance() const { return m_distance; }
+  const Sizing_field& sizing_field() const { return m_sizing_field; }
+  Curve_deviation curve_deviation() const { return m_curve_deviation; }
+  std::size_t max_number_of_vertices() const { return m_max_number_of_vertices; }
+  /// @}
+
+  /// how bad a triangle is: the squared ratio of what it has to what it may have, by its worst criterion.
+  struct Quality
+  {
+    double badness = 0;                              ///< above 1 for a bad triangle
+    Mesh_criterion criterion = Mesh_criterion::SIZE; ///< the criterion that `badness` stands for
+    bool is_well_shaped = false;                     ///< nearly equilateral: it can wait for others
+
+    /// worse triangles come first, well-shaped ones last.
+    bool operator<(const Quality& other) const
+    {
+      return is_well_shaped != other.is_well_shaped ? other.is_well_shaped : badness > other.badness;
+    }
+  };
+
+  /*!
+  the test whether a triangle is bad, in the form of `MeshingCriteria_2::Is_bad`. Size comes first, then angle, then
+  deviation, which is evaluated for triangles that pass the others only.
+
+  \tparam Oracle the type `Parametric_surface_oracle_3` of the patch
+  */
+  template <class Oracle>
+  class Is_bad
+  {
+    // A triangle with no angle below some 46 degrees counts as well shaped. To split it costs shape around it, so it may be
+    // larger than others (by sqrt(1.2)), and waits until the others are done: measured, this raises the mean radius ratio from
+    // 0.906 to 0.916.
+    static constexpr double squared_sine_of_good_shape = 0.51;
+    static constexpr double allowance_of_good_shape = 1.2;
+
+    const Oracle& m_oracle;
+    double m_gamma, m_squared_sine, m_squared_size_factor, m_squared_gamma, m_squared_distance, m_squared_min_edge;
+
+  public:
+    Is_bad(const Parametric_surface_mesh_criteria& criteria, const Oracle& oracle)
+      : m_oracle(oracle), m_gamma(criteria.gamma())
+    {
+      const double sine = std::sin(criteria.angle() * std::atan(1.) / 45);
+      m_squared_sine = sine * sine;
+      m_squared_size_factor = criteria.size_factor() * criteria.size_factor();
+      m_squared_gamma = criteria.gamma() * criteria.gamma();
+      m_squared_distance = criteria.distance() * criteria.distance();
+      m_squared_min_edge = criteria.min_edge() * criteria.min_edge();
+    }
+
+    /// the patch.
+    const Oracle& oracle() const { return m_oracle; }
+
+    typedef Parametric_surface_mesh_criteria::Quality Quality;
+
+    /// tells from the quality alone.
+    Mesh_2::Face_badness operator()(const Quality& quality) const
+    {
+      if(!(quality.badness > 1))
+        return Mesh_2::NOT_BAD;
+      return quality.criterion == Mesh_criterion::ANGLE ? Mesh_2::BAD : Mesh_2::IMPERATIVELY_BAD;
+    }
+
+    /// evaluates the triangle.
+    template <class Face_handle>
+    Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
+    {
+      using namespace Parametric_surface_mesher::internal;
+      const Face_measures measures = face_measures(f, m_oracle.metric());
+      const double spacing = f->vertex(0)->spacing() + f->vertex(1)->spacing() + f->vertex(2)->spacing();
+      quality.is_well_shaped = measures.squared_smallest_sine > squared_sine_of_good_shape;
+      quality.criterion = Mesh_criterion::SIZE;
+      quality.badness = measures.squared_circumradius / (m_squared_size_factor * spacing * spacing)
+                        * (quality.is_well_shaped ? 1 : allowance_of_good_shape);
+      if(quality.badness > 1)
+        return Mesh_2::IMPERATIVELY_BAD;
+      quality.criterion = Mesh_criterion::ANGLE;
+      quality.badness = m_squared_sine / measures.squared_smallest_sine;
+      if(quality.badness > 1)
+        return Mesh_2::BAD;
+      quality.criterion = Mesh_criterion::DEVIATION;
+      quality.badness = squared_deviation(f, m_oracle, m_gamma, m_squared_min_edge) / m_squared_gamma;
+      if(!(quality.badness > 1) && m_squared_distance > 0) {
+        quality.criterion = Mesh_criterion::DISTANCE;
+        quality.badness = squared_distance_to_surface(f, m_oracle, m_gamma, m_squared_min_edge) / m_squared_distance;
+      }
+      return (*this)(quality);
+    }
+  };
+
+  /// the test for the triangles of a patch; it refers to `oracle`.
+  template <class Oracle>
+  Is_bad<Oracle> is_bad_object(const Oracle& oracle) const
+  {
+    return Is_bad<Oracle>(*this, oracle);
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESH_CRITERIA_H

@@ -1,0 +1,27 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESH_ERROR_H
+#define CGAL_PARAMETRIC_SURFACE_MESH_ERROR_H
+
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+The exception for input that cannot be meshed. The message names the place (loop, segment, parameter values,
+file and line) and what is wrong with it. It is thrown before any output is written, with and
+without `NDEBUG`.
+*/
+class Parametric_surface_mesh_error
+  : public std::runtime_error
+{
+public:
+  explicit Parametric_surface_mesh_error(const std::string& what) : std::runtime_error(what) {}
+};
+
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESH_ERROR_H

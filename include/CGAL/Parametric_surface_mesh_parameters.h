@@ -1,0 +1,80 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESH_PARAMETERS_H
+#define CGAL_PARAMETRIC_SURFACE_MESH_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace CGAL {
+
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// tags of the named parameters that are not CGAL's
+enum Vertex_uv_map_t { vertex_uv_map_tag };
+enum Face_patch_id_map_t { face_patch_id_map_tag };
+enum Metric_field_t { metric_field_tag };
+
+template <class Tag, class T>
+Named_function_parameters<T, Tag> named_parameter(const T& value)
+{
+  return Named_function_parameters<T, Tag>(value);
+}
+
+template <class Tag, class T, class V, class W, class Base>
+Named_function_parameters<T, Tag, Named_function_parameters<V, W, Base>>
+named_parameter(const T& value, const Named_function_parameters<V, W, Base>& others)
+{
+  return Named_function_parameters<T, Tag, Named_function_parameters<V, W, Base>>(value, others);
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+
+namespace parameters {
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+the named parameter for the property map that takes the domain point `(u,v)` of each vertex: a model of
+`WritablePropertyMap` with value type `Kernel::Point_2`.
+
+The parameters of this package start a sequence, to which those of CGAL are chained, or take the others as second argument:
+`vertex_uv_map(uv).visitor(v)`, `vertex_uv_map(uv, metric_field(m))`.
+*/
+template <class VertexUvMap, class... Others>
+auto vertex_uv_map(const VertexUvMap& map, const Others&... others)
+{
+  return Parametric_surface_mesher::internal::named_parameter<
+    Parametric_surface_mesher::internal::Vertex_uv_map_t>(map, others...);
+}
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+the named parameter for the property map that takes, for each face of the mesh, the number of the patch it lies on: a model of
+`WritablePropertyMap` with value type `std::size_t`. See `vertex_uv_map()` on how to combine it.
+*/
+template <class FacePatchIdMap, class... Others>
+auto face_patch_id_map(const FacePatchIdMap& map, const Others&... others)
+{
+  return Parametric_surface_mesher::internal::named_parameter<
+    Parametric_surface_mesher::internal::Face_patch_id_map_t>(map, others...);
+}
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+the named parameter for the metric field, a model of `ParametricSurfaceMetricField_2`. See `vertex_uv_map()` on how to combine it.
+*/
+template <class MetricField, class... Others>
+auto metric_field(const MetricField& field, const Others&... others)
+{
+  return Parametric_surface_mesher::internal::named_parameter<
+    Parametric_surface_mesher::internal::Metric_field_t>(field, others...);
+}
+
+} // namespace parameters
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESH_PARAMETERS_H

@@ -1,0 +1,73 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESH_REPORT_H
+#define CGAL_PARAMETRIC_SURFACE_MESH_REPORT_H
+
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/// \ingroup PkgParametricSurfaceMesherRef
+/// why a triangle fails a criterion in the end.
+enum class Unmet_cause
+{
+  BOUNDARY,     ///< boundary-limited: it touches the boundary, which is never changed, and there is no better point
+  MINIMUM_EDGE, ///< a point that helps would make an edge too short
+  VERTEX_LIMIT, ///< the maximum number of vertices was reached
+  STOPPED       ///< the visitor stopped the refinement
+};
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+What meshing did, and what it could not do. Angles are in degrees and, as lengths, those of the triangles in space.
+*/
+struct Parametric_surface_mesh_report
+{
+  /// a triangle that fails a criterion.
+  struct Unmet
+  {
+    std::size_t face;         ///< number of the face in the mesh, in the order of its creation
+    Mesh_criterion criterion; ///< what it fails first, in the order size, angle, deviation, distance
+    Unmet_cause cause;        ///< why
+  };
+
+  /// processor time in seconds of each phase.
+  struct Seconds
+  {
+    double division = 0, triangulation = 0, refinement = 0, improvement = 0, output = 0;
+    /// the sum of all phases.
+    double meshing() const { return division + triangulation + refinement + improvement + output; }
+  };
+
+  std::size_t number_of_vertices = 0;
+  std::size_t number_of_faces = 0;
+  std::size_t number_of_boundary_edges = 0; ///< of the division
+  std::size_t number_of_replaced_tensors = 0; ///< points whose tensor was not positive definite, and was regularised
+  std::size_t number_of_collapsed_faces = 0; ///< triangles on collapsed sides, which have no area and are left out
+  double smallest_angle = 180;             ///< over all triangles
+  double smallest_angle_off_boundary = 180; ///< over the triangles that are not boundary-limited
+  std::vector<Unmet> unmet;                ///< every triangle that fails a criterion
+  Seconds seconds;
+
+  /// the number of triangles that fail `criterion` for `cause`.
+  std::size_t count(Mesh_criterion criterion, Unmet_cause cause) const
+  {
+    return std::count_if(unmet.begin(), unmet.end(),
+                         [=](const Unmet& u) { return u.criterion == criterion && u.cause == cause; });
+  }
+
+  /// the number of triangles that fail a criterion for `cause`.
+  std::size_t count(Unmet_cause cause) const
+  {
+    return std::count_if(unmet.begin(), unmet.end(), [=](const Unmet& u) { return u.cause == cause; });
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESH_REPORT_H

@@ -1,0 +1,33 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESH_VISITOR_H
+#define CGAL_PARAMETRIC_SURFACE_MESH_VISITOR_H
+
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+The default visitor of the meshing functions, which does nothing. Derive from it to show progress or to stop early.
+
+\cgalModels `ParametricSurfaceMeshVisitor`
+*/
+struct Parametric_surface_mesh_visitor
+{
+  /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"output"`.
+  void on_phase(const char* /* name */) {}
+
+  /// called during refinement, once for some hundred new vertices.
+  /// \param number_of_vertices the vertices so far
+  /// \param number_of_bad_faces an upper bound of the number of triangles still waiting
+  void on_progress(std::size_t /* number_of_vertices */, std::size_t /* number_of_bad_faces */) {}
+
+  /// asked as often as `on_progress()` is called; `false` ends the refinement with the valid mesh of that moment.
+  bool go_further() { return true; }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESH_VISITOR_H

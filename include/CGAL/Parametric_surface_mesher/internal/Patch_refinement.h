@@ -1,0 +1,278 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_REFINEMENT_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_REFINEMENT_H
+
+#include <CGAL/Mesh_2/Face_badness.h>
+#include <CGAL/Parametric_surface_mesher/internal/Bad_face_queue.h>
+#include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
+#include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Point_placement.h>
+#include <CGAL/Parametric_surface_mesher/internal/Star_of_point.h>
+#include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Refinement of a patch (paper, section "Procedure"): while a triangle is bad, insert a point at the centre of its
+// circumellipse, or elsewhere if that is behind the boundary or too close to it. The boundary is never split.
+template <class Evaluator, class Criteria, class Visitor>
+class Patch_refinement
+{
+public:
+  typedef decltype(std::declval<const Criteria&>().is_bad_object(std::declval<const Evaluator&>().oracle())) Is_bad;
+
+private:
+  typedef typename Evaluator::Kernel Kernel;
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Kernel::Point_2 Point_2;
+  typedef typename Evaluator::Evaluated Evaluated;
+  typedef internal::Location<Triangulation> Location;
+  typedef typename Criteria::Quality Quality;
+
+  // a position that has been looked at
+  struct Candidate
+  {
+    Location location;
+    Evaluated evaluated;
+  };
+
+  Triangulation& m_triangulation;
+  const Evaluator& m_evaluate;
+  const Criteria& m_criteria;
+  Visitor& m_visitor;
+  Is_bad m_is_bad;
+  Bad_face_queue<Face_handle> m_queue;
+  Vertex_insertion<Triangulation> m_insertion;
+  Star_of_point<Triangulation> m_star;
+  std::vector<Point_2> m_positions;
+  double m_squared_min_distance;
+  std::size_t m_number_of_replaced_tensors = 0;
+  bool m_is_stopped = false;
+
+public:
+  Patch_refinement(Triangulation& triangulation, const Evaluator& evaluate, const Criteria& criteria, Visitor& visitor)
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_criteria(criteria), m_visitor(visitor),
+      m_is_bad(criteria.is_bad_object(evaluate.oracle())), m_insertion(triangulation),
+      m_star(triangulation), m_squared_min_distance(0.25 * criteria.min_edge() * criteria.min_edge())
+  {}
+
+  void operator()()
+  {
+    for(Face_handle face : m_triangulation.finite_face_handles())
+      if(face->is_in_domain())
+        examine(face);
+    for(std::size_t n = 1; !m_is_stopped; ++n) {
+      const Face_handle face = m_queue.pop();
+      if(face == Face_handle())
+        break;
+      refine(face);
+      if(n % 512 == 0)
+        report_progress();
+    }
+  }
+
+  const Is_bad& is_bad() const { return m_is_bad; }
+  bool is_stopped() const { return m_is_stopped; }
+  bool is_full() const { return m_triangulation.number_of_vertices() >= m_criteria.max_number_of_vertices(); }
+  std::size_t number_of_replaced_tensors() const { return m_number_of_replaced_tensors; }
+
+private:
+  void report_progress()
+  {
+    m_visitor.on_progress(m_triangulation.number_of_vertices(), m_queue.size());
+    m_is_stopped = !m_visitor.go_further();
+  }
+
+  void examine(Face_handle face)
+  {
+    Quality quality;
+    const Mesh_2::Face_badness badness = is_collapsed(face) ? Mesh_2::NOT_BAD : m_is_bad(face, quality);
+    if(badness == Mesh_2::NOT_BAD)
+      face->set_state(Face_state::GOOD);
+    else {
+      face->set_state(Face_state::QUEUED);
+      m_queue.push(face, quality.badness,
+                   quality.is_well_shaped ? Urgency::LAST
+                   : badness == Mesh_2::IMPERATIVELY_BAD ? Urgency::FIRST : Urgency::NORMAL);
+    }
+  }
+
+  void refine(Face_handle face)
+  {
+    if(is_full() || !insert_for(face))
+      face->set_state(Face_state::BLOCKED);
+  }
+
+  bool insert_for(Face_handle face)
+  {
+    const Face_measures measures = face_measures(face, m_evaluate.oracle().metric());
+    const double shortest = *std::min_element(measures.squared_lengths.begin(), measures.squared_lengths.end());
+    // a large equilateral triangle has its centre closer than 0.7 of its edges
+    const double squared_distance
+      = (std::max)(m_squared_min_distance, 0.49 * (std::min)(shortest, measures.squared_circumradius));
+    const Point_2 center = Point_placement<Kernel>::circumcenter(face, measures);
+    Candidate candidate;
+    m_positions.clear();
+    if(is_acceptable(face, center, squared_distance, candidate)) {
+      if(is_near_boundary(candidate) && encroaches(candidate))
+        return insert_alternative(face, measures, squared_distance);
+      insert(candidate);
+      return true;
+    }
+    if(!is_near_boundary(candidate))
+      return insert_alternative(face, measures, squared_distance);
+    append_apices(candidate.location);
+    return insert_alternative(face, measures, squared_distance);
+  }
+
+  // The position is in the domain, and no closer to a vertex of the face that holds it than the distance.
+  bool is_acceptable(Face_handle from, const Point_2& uv, double squared_distance, Candidate& candidate)
+  {
+    candidate.location = walk_in_domain(m_triangulation, from, uv);
+    if(candidate.location.kind != Location::IN_FACE && candidate.location.kind != Location::ON_EDGE)
+      return false;
+    const Face_handle face = candidate.location.face;
+    if(candidate.location.kind == Location::ON_EDGE && face->is_constrained(candidate.location.index))
+      return false;
+    candidate.evaluated = m_evaluate(uv);
+    for(int i = 0; i < 3; ++i)
+      if(m_evaluate.oracle().metric().squared_length(face->vertex(i)->point(), candidate.evaluated.point) < squared_distance)
+        return false;
+    return true;
+  }
+
+  static bool is_near_boundary(const Candidate& candidate)
+  {
+    const Face_handle face = candidate.location.face;
+    for(int i = 0; i < 3; ++i)
+      if(face->vertex(i)->is_on_boundary())
+        return true;
+    return false;
+  }
+
+  // Whether the point sees a constrained edge under an obtuse angle, from within the lens where the triangle with that edge
+  // would have angles below 30 degrees. The apices over such edges become positions to try.
+  bool encroaches(const Candidate& candidate)
+  {
+    bool result = false;
+    for(const auto& edge : m_star.compute(candidate.evaluated.point, candidate.location.face)) {
+      if(!edge.first->is_constrained(edge.second))
+        continue;
+      const auto &p = edge.first->vertex((edge.second + 1) % 3)->point(),
+                 &q = edge.first->vertex((edge.second + 2) % 3)->point();
+      const double a = m_evaluate.oracle().metric().squared_length(p, candidate.evaluated.point),
+                   b = m_evaluate.oracle().metric().squared_length(q, candidate.evaluated.point),
+                   c = m_evaluate.oracle().metric().squared_length(p, q);
+      if(a + b + std::sqrt(a * b) < c) {
+        Point_placement<Kernel>::append_apices(p, q, m_positions);
+        result = true;
+      }
+    }
+    return result;
+  }
+
+  void append_apices(const Location& location)
+  {
+    if(location.kind == Location::BEHIND_CONSTRAINT)
+      Point_placement<Kernel>::append_apices(location.face->vertex((location.index + 1) % 3)->point(),
+                                             location.face->vertex((location.index + 2) % 3)->point(), m_positions);
+  }
+
+  // Tries other positions and inserts the one with the best star, if that is better than the face.
+  bool insert_alternative(Face_handle face, const Face_measures& measures, double squared_distance)
+  {
+    Point_placement<Kernel>::append_alternatives(face, measures, m_positions);
+    Candidate best;
+    double best_sine = measures.squared_smallest_sine;
+    bool is_found = false;
+    for(const Point_2& position : m_positions) {
+      Candidate candidate;
+      if(!is_acceptable(face, position, squared_distance, candidate))
+        continue;
+      const double sine = smallest_sine_of_star(candidate);
+      if(sine > best_sine) {
+        best = candidate;
+        best_sine = sine;
+        is_found = true;
+      }
+    }
+    if(is_found)
+      insert(best);
+    return is_found;
+  }
+
+  double smallest_sine_of_star(const Candidate& candidate)
+  {
+    double smallest = 1;
+    for(const auto& edge : m_star.compute(candidate.evaluated.point, candidate.location.face)) {
+      const auto &p = edge.first->vertex((edge.second + 1) % 3)->point(),
+                 &q = edge.first->vertex((edge.second + 2) % 3)->point();
+      const auto& metric = m_evaluate.oracle().metric();
+      smallest = (std::min)(smallest, face_measures({metric.squared_length(p, q),
+                                                     metric.squared_length(q, candidate.evaluated.point),
+                                                     metric.squared_length(candidate.evaluated.point, p)})
+                                        .squared_smallest_sine);
+    }
+    return smallest;
+  }
+
+  void insert(const Candidate& candidate)
+  {
+    const Vertex_handle vertex = candidate.location.kind == Location::IN_FACE
+                                   ? m_insertion.insert_in_face(candidate.evaluated.point, candidate.location.face)
+                                   : m_insertion.insert_in_edge(candidate.evaluated.point, candidate.location.face,
+                                                                candidate.location.index);
+    m_number_of_replaced_tensors += candidate.evaluated.is_tensor_replaced;
+    vertex->set_spacing((std::min)(spacing_of_star(vertex), candidate.evaluated.spacing_limit));
+    for(Face_handle face : m_insertion.star()) {
+      examine(face);
+      const Face_handle across = face->neighbor(face->index(vertex));
+      if(across->state() == Face_state::BLOCKED)
+        examine(across);
+    }
+  }
+
+  // Paper, eq. (2), the mean of the spacing of the neighbours weighted by their inverse distances, as an integral along the star
+  // polygon: each neighbour also weighs as the polygon's edges beside it are long. Otherwise many close neighbours on a finely
+  // divided curve outweigh all others, and the mesh never coarsens away from it.
+  double spacing_of_star(Vertex_handle vertex) const
+  {
+    const std::vector<Face_handle>& star = m_insertion.star();
+    double sum = 0, weights = 0;
+    double previous_edge = distance(left_of(star.back(), vertex), left_of(star.front(), vertex));
+    for(std::size_t i = 0; i < star.size(); ++i) {
+      const Vertex_handle neighbor = left_of(star[i], vertex), next = left_of(star[(i + 1) % star.size()], vertex);
+      const double edge = distance(neighbor, next);
+      const double weight = (previous_edge + edge) / distance(vertex, neighbor);
+      sum += weight * neighbor->spacing();
+      weights += weight;
+      previous_edge = edge;
+    }
+    return sum / weights;
+  }
+
+  static Vertex_handle left_of(Face_handle face, Vertex_handle vertex) { return face->vertex((face->index(vertex) + 1) % 3); }
+
+  double distance(Vertex_handle v, Vertex_handle w) const
+  {
+    return std::sqrt(m_evaluate.oracle().metric().squared_length(v->point(), w->point()));
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_REFINEMENT_H

@@ -1,0 +1,118 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_TRIANGULATION_2_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_TRIANGULATION_2_H
+
+#include <CGAL/Anisotropic_Delaunay_triangulation_traits_2.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/Triangulation_vertex_base_2.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// A vertex with its spacing (paper, eq. 2) and its index in the mesh. Boundary vertices have their index from the
+// division, and come first.
+template <class Traits, class Base = Triangulation_vertex_base_2<Traits>>
+class Patch_vertex_base_2
+  : public Base
+{
+  double m_spacing = 0;
+  std::size_t m_index = 0;
+  bool m_is_on_boundary = false;
+
+public:
+  using Base::Base;
+
+  template <class Tds>
+  struct Rebind_TDS
+  {
+    typedef Patch_vertex_base_2<Traits, typename Base::template Rebind_TDS<Tds>::Other> Other;
+  };
+
+  double spacing() const { return m_spacing; }
+  void set_spacing(double spacing) { m_spacing = spacing; }
+  std::size_t index() const { return m_index; }
+  void set_index(std::size_t index) { m_index = index; }
+  bool is_on_boundary() const { return m_is_on_boundary; }
+  void set_on_boundary(bool b) { m_is_on_boundary = b; }
+};
+
+// What the refinement found when it last looked at a face.
+enum class Face_state : std::uint8_t
+{
+  UNKNOWN,
+  GOOD,
+  QUEUED,
+  BLOCKED // bad, and no acceptable position was found
+};
+
+template <class Traits, class Base = Constrained_triangulation_face_base_2<Traits>>
+class Patch_face_base_2
+  : public Base
+{
+  std::uint32_t m_stamp = 0;
+  Face_state m_state = Face_state::UNKNOWN;
+  bool m_is_in_domain = false;
+
+public:
+  using Base::Base;
+
+  template <class Tds>
+  struct Rebind_TDS
+  {
+    typedef Patch_face_base_2<Traits, typename Base::template Rebind_TDS<Tds>::Other> Other;
+  };
+
+  bool is_in_domain() const { return m_is_in_domain; }
+  void set_in_domain(bool b) { m_is_in_domain = b; }
+
+  // Changes whenever the face does, so that a queue entry can tell whether it is out of date.
+  std::uint32_t stamp() const { return m_stamp; }
+
+  Face_state state() const { return m_state; }
+  void set_state(Face_state state) { m_state = state; }
+
+  // to be called when the vertices have changed
+  void touch()
+  {
+    ++m_stamp;
+    m_state = Face_state::UNKNOWN;
+  }
+};
+
+template <class Kernel>
+struct Patch_triangulation_types
+{
+  typedef Anisotropic_Delaunay_triangulation_traits_2<Kernel> Traits;
+  typedef Triangulation_data_structure_2<Patch_vertex_base_2<Traits>, Patch_face_base_2<Traits>> Tds;
+  typedef Constrained_Delaunay_triangulation_2<Traits, Tds, No_constraint_intersection_requiring_constructions_tag>
+    Triangulation;
+};
+
+template <class Kernel>
+using Patch_triangulation_2 = typename Patch_triangulation_types<Kernel>::Triangulation;
+
+// Whether a face has an edge without length in space: between two copies of the point of a collapsed side.
+template <class Face_handle>
+bool is_collapsed(Face_handle face)
+{
+  for(int i = 0; i < 3; ++i) {
+    const auto v = face->vertex((i + 1) % 3), w = face->vertex((i + 2) % 3);
+    if(v->is_on_boundary() && w->is_on_boundary() && v->index() == w->index())
+      return true;
+  }
+  return false;
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_TRIANGULATION_2_H

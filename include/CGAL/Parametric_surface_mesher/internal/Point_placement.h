@@ -1,0 +1,89 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POINT_PLACEMENT_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POINT_PLACEMENT_H
+
+#include <CGAL/Metric_tensor_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Where in the domain a new point may go, for a bad face. All positions come from the edge lengths under the metric: the
+// face's affine map between domain and space turns them into domain points.
+template <class Kernel>
+class Point_placement
+{
+public:
+  typedef typename Kernel::Point_2 Point_2;
+
+  // The centre of the circumellipse (paper, section "Procedure").
+  template <class Face_handle>
+  static Point_2 circumcenter(Face_handle face, const Face_measures& measures)
+  {
+    const std::array<double, 3>& l = measures.squared_lengths;
+    std::array<double, 3> w = {l[0] * (l[1] + l[2] - l[0]), l[1] * (l[2] + l[0] - l[1]), l[2] * (l[0] + l[1] - l[2])};
+    const double sum = w[0] + w[1] + w[2];
+    if(!(sum > 1e-12 * (std::max)({l[0], l[1], l[2]}) * (std::max)({l[0], l[1], l[2]})))
+      return barycentric(face, {1. / 3, 1. / 3, 1. / 3});
+    return barycentric(face, {w[0] / sum, w[1] / sum, w[2] / sum});
+  }
+
+  // Positions for a face whose circumcentre is not acceptable, best guess first: on the axis of its shortest edge
+  // (off-centres: apices of isosceles triangles), and the middle of the face.
+  template <class Face_handle>
+  static void append_alternatives(Face_handle face, const Face_measures& measures, std::vector<Point_2>& positions)
+  {
+    const std::array<double, 3>& l = measures.squared_lengths;
+    const int shortest = int(std::min_element(l.begin(), l.end()) - l.begin());
+    const Point_2 center = circumcenter(face, measures);
+    const Point_2 middle = barycentric(face, {shortest == 0 ? 0 : 0.5, shortest == 1 ? 0 : 0.5, shortest == 2 ? 0 : 0.5});
+    const double distance = std::sqrt((std::max)(0., measures.squared_circumradius - l[shortest] / 4));
+    for(double height : {1.4, 0.87, 0.6}) {
+      const double share = height * std::sqrt(l[shortest]) / distance;
+      if(share < 1)
+        positions.push_back(interpolate(middle, center, share));
+    }
+    positions.push_back(barycentric(face, {1. / 3, 1. / 3, 1. / 3}));
+  }
+
+  // The apices of isosceles triangles on the left of the edge from `p` to `q`, perpendicular to it under the tensor.
+  template <class Point>
+  static void append_apices(const Point& p, const Point& q, std::vector<Point_2>& positions)
+  {
+    const Metric_tensor_2 m = p.tensor() + q.tensor();
+    const double du = q.x() - p.x(), dv = q.y() - p.y(), scale = 1 / std::sqrt(m.determinant());
+    const double nu = -scale * (m.f() * du + m.g() * dv), nv = scale * (m.e() * du + m.f() * dv);
+    for(double height : {0.87, 0.6, 1.2})
+      positions.emplace_back(0.5 * (p.x() + q.x()) + height * nu, 0.5 * (p.y() + q.y()) + height * nv);
+  }
+
+private:
+  template <class Face_handle>
+  static Point_2 barycentric(Face_handle face, const std::array<double, 3>& w)
+  {
+    double x = 0, y = 0;
+    for(int i = 0; i < 3; ++i) {
+      x += w[i] * face->vertex(i)->point().x();
+      y += w[i] * face->vertex(i)->point().y();
+    }
+    return Point_2(x, y);
+  }
+
+  static Point_2 interpolate(const Point_2& p, const Point_2& q, double share)
+  {
+    return Point_2(p.x() + share * (q.x() - p.x()), p.y() + share * (q.y() - p.y()));
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POINT_PLACEMENT_H

@@ -1,0 +1,225 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATE_BOUNDARY_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATE_BOUNDARY_H
+
+#include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+/*
+Triangulates the divided boundary of a patch: the division's segments become constraints, faces are marked as inside or
+outside the domain.
+
+The points first all carry the mean of their tensors. Under one tensor the in-ellipse predicate is that of a true Delaunay
+triangulation (of an affine image), with which CGAL inserts points and constraints. Only then they get tensors of their
+own, and a bounded number of flips makes the triangulation locally Delaunay again.
+*/
+template <class Kernel>
+class Boundary_triangulator
+{
+public:
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef typename Triangulation::Point Point;
+  typedef Evaluated_point<Kernel> Evaluated;
+
+private:
+  Triangulation& m_triangulation;
+  const Boundary_loops<Kernel>& m_loops;
+  std::vector<std::size_t> m_starts; // of the loops in the arrays below
+  std::vector<Point> m_points;
+  std::vector<Vertex_handle> m_vertices;
+  std::size_t m_number_of_replaced_tensors = 0;
+
+public:
+  Boundary_triangulator(Triangulation& triangulation, const Boundary_loops<Kernel>& loops)
+    : m_triangulation(triangulation), m_loops(loops)
+  {}
+
+  // \pre the loops have passed `Boundary_check`
+  template <class Evaluator>
+  void operator()(const Evaluator& evaluate)
+  {
+    const std::vector<Evaluated> evaluated = evaluate_all(evaluate);
+    insert_points(mean_tensor(evaluated));
+    insert_constraints();
+    mark_domain();
+    set_points(evaluated);
+    make_locally_delaunay();
+  }
+
+  // how many boundary vertices have a tensor that was not positive definite
+  std::size_t number_of_replaced_tensors() const { return m_number_of_replaced_tensors; }
+
+private:
+  template <class Evaluator>
+  std::vector<Evaluated> evaluate_all(const Evaluator& evaluate)
+  {
+    std::vector<Evaluated> result;
+    for(const auto& loop : m_loops) {
+      m_starts.push_back(result.size());
+      for(const Boundary_vertex<Kernel>& vertex : loop) {
+        result.push_back(evaluate(vertex.domain_point, vertex.surface_point));
+        m_number_of_replaced_tensors += result.back().is_tensor_replaced;
+      }
+    }
+    m_starts.push_back(result.size());
+    if(m_number_of_replaced_tensors == result.size())
+      throw Parametric_surface_mesh_error("the surface is degenerate: its first derivatives are parallel or zero "
+                                          "everywhere on the boundary, at (u,v) = "
+                                          + describe(m_loops[0][0].domain_point) + " for one");
+    return result;
+  }
+
+  static Metric_tensor_2 mean_tensor(const std::vector<Evaluated>& evaluated)
+  {
+    Metric_tensor_2 sum(0, 0, 0);
+    for(const Evaluated& e : evaluated)
+      sum = sum + (1. / double(evaluated.size())) * e.point.tensor();
+    return sum;
+  }
+
+  void insert_points(const Metric_tensor_2& tensor)
+  {
+    for(const auto& loop : m_loops)
+      for(const Boundary_vertex<Kernel>& vertex : loop)
+        m_points.emplace_back(vertex.domain_point, vertex.surface_point, tensor);
+    std::vector<std::size_t> order(m_points.size());
+    std::iota(order.begin(), order.end(), 0);
+    typedef typename Pointer_property_map<Point>::const_type Point_map;
+    typedef Spatial_sort_traits_adapter_2<typename Triangulation::Geom_traits, Point_map> Sort_traits;
+    spatial_sort(order.begin(), order.end(), Sort_traits(make_property_map(static_cast<const Point*>(m_points.data()))));
+    m_vertices.resize(m_points.size());
+    Face_handle hint;
+    for(std::size_t i : order) {
+      m_vertices[i] = m_triangulation.insert(m_points[i], hint);
+      hint = m_vertices[i]->face();
+    }
+    if(m_triangulation.dimension() < 2)
+      throw Parametric_surface_mesh_error("the domain has area zero: the points of its boundary are collinear, from "
+                                          + describe(m_points.front()));
+  }
+
+  template <class Visit>
+  void for_each_segment(Visit visit) const
+  {
+    for(std::size_t l = 0; l + 1 < m_starts.size(); ++l)
+      for(std::size_t i = m_starts[l]; i < m_starts[l + 1]; ++i)
+        visit(l, m_vertices[i], m_vertices[i + 1 < m_starts[l + 1] ? i + 1 : m_starts[l]]);
+  }
+
+  void insert_constraints()
+  {
+    for_each_segment([this](std::size_t, Vertex_handle a, Vertex_handle b) { m_triangulation.insert_constraint(a, b); });
+  }
+
+  // Faces outside the outer loop have nesting level 0, those of the domain 1, those in holes 2.
+  void mark_domain()
+  {
+    const std::unordered_map<Face_handle, int> levels = nesting_levels();
+    std::vector<bool> is_checked(m_loops.size(), false);
+    for_each_segment([&](std::size_t l, Vertex_handle a, Vertex_handle b) {
+      if(!is_checked[l])
+        check_nesting(l, a, b, levels);
+      is_checked[l] = true;
+    });
+    for(Face_handle face : m_triangulation.finite_face_handles())
+      face->set_in_domain(levels.at(face) == 1);
+  }
+
+  std::unordered_map<Face_handle, int> nesting_levels() const
+  {
+    std::unordered_map<Face_handle, int> levels;
+    std::vector<Face_handle> level(1, m_triangulation.infinite_face()), next;
+    for(int depth = 0; !level.empty(); ++depth, level.swap(next), next.clear())
+      while(!level.empty()) {
+        const Face_handle face = level.back();
+        level.pop_back();
+        if(!levels.emplace(face, depth).second)
+          continue;
+        for(int i = 0; i < 3; ++i)
+          if(levels.find(face->neighbor(i)) == levels.end())
+            (face->is_constrained(i) ? next : level).push_back(face->neighbor(i));
+      }
+    return levels;
+  }
+
+  void check_nesting(std::size_t l, Vertex_handle a, Vertex_handle b,
+                     const std::unordered_map<Face_handle, int>& levels) const
+  {
+    Face_handle face;
+    int i;
+    m_triangulation.is_edge(a, b, face, i);
+    const int level = (std::min)(levels.at(face), levels.at(face->neighbor(i)));
+    if(l == 0 && level != 0)
+      throw Parametric_surface_mesh_error("loop 0, the outer loop, lies inside another loop, at (u,v) = "
+                                          + describe(a->point()));
+    if(l > 0 && level != 1)
+      throw Parametric_surface_mesh_error("loop " + std::to_string(l) + ", a hole, lies "
+                                          + (level == 0 ? "outside the outer loop" : "inside another hole")
+                                          + ", at (u,v) = " + describe(a->point()));
+  }
+
+  // spacing of boundary vertices: the mean of the distances to the two neighbours (paper, section "Spacing function")
+  void set_points(const std::vector<Evaluated>& evaluated)
+  {
+    std::size_t position = 0;
+    for(const auto& loop : m_loops)
+      for(std::size_t i = 0; i < loop.size(); ++i, ++position) {
+        const Vertex_handle vertex = m_vertices[position];
+        const auto &before = loop[(i + loop.size() - 1) % loop.size()].surface_point,
+                   &after = loop[(i + 1) % loop.size()].surface_point, &here = loop[i].surface_point;
+        vertex->set_point(evaluated[position].point);
+        vertex->set_spacing((std::sqrt(squared_distance(before, here)) + std::sqrt(squared_distance(here, after))) / 2);
+        vertex->set_index(loop[i].index);
+        vertex->set_on_boundary(true);
+      }
+  }
+
+  // Flips under varying tensors could go round in circles: their number is bounded.
+  void make_locally_delaunay()
+  {
+    typedef typename Triangulation::Edge Edge;
+    std::vector<Edge> stack;
+    for(const Edge& edge : m_triangulation.finite_edges())
+      stack.push_back(edge);
+    std::size_t flips_left = 20 * stack.size();
+    while(!stack.empty() && flips_left > 0) {
+      const Edge edge = stack.back();
+      stack.pop_back();
+      const Face_handle face = edge.first, across = face->neighbor(edge.second);
+      if(!face->is_in_domain() || !m_triangulation.is_flipable(face, edge.second))
+        continue;
+      m_triangulation.flip(const_cast<Face_handle&>(face), edge.second);
+      --flips_left;
+      for(Face_handle changed : {face, across})
+        for(int i = 0; i < 3; ++i)
+          stack.emplace_back(changed, i);
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATE_BOUNDARY_H

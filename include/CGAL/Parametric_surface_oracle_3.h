@@ -1,0 +1,96 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_ORACLE_3_H
+#define CGAL_PARAMETRIC_SURFACE_ORACLE_3_H
+
+#include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/Surface_jet_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+What the criteria may ask of a patch: its surface, its metric field, and how far the surface is from the mesh.
+
+Deviation is measured as in the paper: `H` is the distance of the surface point at the domain's middle of an edge to
+the edge. On a regular parametrisation that bounds the distance from the mesh, and how far the image of the straight domain line
+bends within the surface. Around a singular point (a pole, where a side of the domain collapses) those images
+bend however small the edges are: at a distance `r` the ratio is `L / 8r`. Closer to such a point than `L / 6 gamma`
+only the part of `H` along the surface normal counts.
+
+\tparam Surface a model of `ParametricSurface_3`
+\tparam MetricField a model of `ParametricSurfaceMetricField_2`
+*/
+template <class Surface, class MetricField>
+class Parametric_surface_oracle_3
+{
+public:
+  typedef typename Surface::Geom_traits Geom_traits;
+  typedef typename Geom_traits::Point_3 Point_3;
+  typedef typename Geom_traits::Vector_3 Vector_3;
+
+private:
+  const Surface& m_surface;
+  const MetricField& m_metric;
+  std::vector<Point_3> m_singular_points;
+
+public:
+  /// refers to `surface` and `metric`. `singular_points` are the images of collapsed sides.
+  Parametric_surface_oracle_3(const Surface& surface, const MetricField& metric,
+                              std::vector<Point_3> singular_points = std::vector<Point_3>())
+    : m_surface(surface), m_metric(metric), m_singular_points(std::move(singular_points))
+  {}
+
+  /// the surface.
+  const Surface& surface() const { return m_surface; }
+
+  /// the metric field.
+  const MetricField& metric() const { return m_metric; }
+
+  /// tells whether `p` is closer to a singular point than `distance`.
+  bool is_near_singular_point(const Point_3& p, double distance) const
+  {
+    return std::any_of(m_singular_points.begin(), m_singular_points.end(), [&](const Point_3& s) {
+      return squared_distance(p, s) < distance * distance;
+    });
+  }
+
+  /*!
+  the squared height `H` of the surface over the edge from `p` to `q`.
+  \param gamma the deviation ratio that it will be compared with
+  */
+  template <class ParametricPoint>
+  double squared_height(const ParametricPoint& p, const ParametricPoint& q, double gamma) const
+  {
+    const double u = 0.5 * (p.x() + q.x()), v = 0.5 * (p.y() + q.y());
+    const Point_3 &a = p.surface_point(), &b = q.surface_point();
+    const bool is_near = !m_singular_points.empty()
+                         && is_near_singular_point(midpoint(a, b), std::sqrt(squared_distance(a, b)) / (6 * gamma));
+    if(!is_near)
+      return vector_from_line(m_surface.point(u, v), a, b).squared_length();
+    const Surface_jet_3<Geom_traits> jet = m_surface.jet(u, v);
+    const Vector_3 normal = cross_product(jet.du, jet.dv), height = vector_from_line(jet.point, a, b);
+    const double along = height * normal, length = normal.squared_length();
+    return length > 0 ? along * along / length : height.squared_length();
+  }
+
+private:
+  // from the line through `a` and `b` to `x`, perpendicular
+  static Vector_3 vector_from_line(const Point_3& x, const Point_3& a, const Point_3& b)
+  {
+    const Vector_3 d = b - a, e = x - a;
+    const double length = d.squared_length();
+    return length > 0 ? e - (e * d / length) * d : e;
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_ORACLE_3_H

@@ -1,0 +1,225 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_DIVIDE_CURVE_H
+#define CGAL_DIVIDE_CURVE_H
+
+#include <CGAL/Domain_curve_2.h>
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/Arc_length.h>
+#include <CGAL/Surface_jet_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgParametricSurfaceMesherDomain
+
+The curve on a surface over a curve in its domain, `t -> S(c(t))`.
+
+\cgalModels `ParametricCurve_3`
+
+\tparam Surface a model of `ParametricSurface_3`
+*/
+template <class Surface>
+class Curve_on_surface_3
+{
+public:
+  typedef typename Surface::Geom_traits Geom_traits;
+  typedef typename Geom_traits::Point_3 Point_3;
+  typedef typename Geom_traits::Vector_3 Vector_3;
+  typedef Domain_curve_2<Geom_traits> Domain_curve;
+
+private:
+  const Surface& m_surface;
+  const Domain_curve& m_curve;
+
+public:
+  /// refers to both arguments.
+  Curve_on_surface_3(const Surface& surface, const Domain_curve& curve) : m_surface(surface), m_curve(curve) {}
+
+  double begin() const { return m_curve.begin(); }
+  double end() const { return m_curve.end(); }
+
+  /// the point at `t`.
+  Point_3 point(double t) const
+  {
+    const auto uv = m_curve.point(t);
+    const Point_3 p = m_surface.point(uv.x(), uv.y());
+    if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+      throw_not_finite(uv);
+    return p;
+  }
+
+  /// the length of the derivative by `t`.
+  double speed(double t) const
+  {
+    const typename Domain_curve::Jet c = m_curve.jet(t);
+    const Surface_jet_3<Geom_traits> s = m_surface.jet(c.point.x(), c.point.y());
+    const double speed = std::sqrt((c.first.x() * s.du + c.first.y() * s.dv).squared_length());
+    if(!std::isfinite(speed))
+      throw_not_finite(c.point);
+    return speed;
+  }
+
+  /// the curvature radius in space at `t`; infinite where the curve is straight.
+  double curvature_radius(double t) const
+  {
+    const typename Domain_curve::Jet c = m_curve.jet(t);
+    const Surface_jet_3<Geom_traits> s = m_surface.jet(c.point.x(), c.point.y());
+    const double u = c.first.x(), v = c.first.y();
+    const Vector_3 first = u * s.du + v * s.dv;
+    const Vector_3 second = u * u * s.duu + 2 * u * v * s.duv + v * v * s.dvv + c.second.x() * s.du + c.second.y() * s.dv;
+    const double bend = std::sqrt(cross_product(first, second).squared_length());
+    return bend > 0 ? std::pow(first.squared_length(), 1.5) / bend : std::numeric_limits<double>::infinity();
+  }
+
+private:
+  template <class Point_2>
+  static void throw_not_finite(const Point_2& uv)
+  {
+    std::ostringstream message;
+    message << "the surface or its derivative is not finite on the boundary at (u,v) = (" << uv.x() << ", " << uv.y()
+            << ")";
+    throw Parametric_surface_mesh_error(message.str());
+  }
+};
+
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The positions, as arc lengths, that divide one curve (paper, section "Curve Division").
+template <class Curve, class ArcLength>
+class Curve_division
+{
+  const Curve& m_curve;
+  const ArcLength& m_arc_length;
+  const Parametric_surface_mesh_criteria& m_criteria;
+  std::vector<double> m_positions;
+
+public:
+  Curve_division(const Curve& curve, const ArcLength& arc_length, const Parametric_surface_mesh_criteria& criteria)
+    : m_curve(curve), m_arc_length(arc_length), m_criteria(criteria), m_positions(1, 0.)
+  {}
+
+  void divide_equally(std::size_t n)
+  {
+    for(std::size_t i = 1; i <= n; ++i)
+      m_positions.push_back(m_arc_length.length() * (double(i) / double(n)));
+  }
+
+  // halving by deviation, then until no piece is more than twice as long as its neighbour
+  void halve_by_deviation()
+  {
+    halve_where([this](std::size_t i) { return deviates(m_positions[i], m_positions[i + 1]); });
+    halve_where([this](std::size_t i) {
+      const double shortest_neighbor = (std::min)(i == 0 ? length(i) : length(i - 1),
+                                                  i + 2 == m_positions.size() ? length(i) : length(i + 1));
+      return length(i) > 2.01 * shortest_neighbor;
+    });
+  }
+
+  std::vector<double> parameters() const
+  {
+    std::vector<double> result;
+    for(double s : m_positions)
+      result.push_back(m_arc_length.parameter_at(s));
+    return result;
+  }
+
+private:
+  double length(std::size_t i) const { return m_positions[i + 1] - m_positions[i]; }
+
+  template <class Predicate>
+  void halve_where(Predicate is_too_long)
+  {
+    for(bool changed = true; changed;) {
+      changed = false;
+      std::vector<double> finer(1, m_positions.front());
+      for(std::size_t i = 0; i + 1 < m_positions.size(); ++i) {
+        if(length(i) >= 2 * m_criteria.min_edge() && is_too_long(i)) {
+          finer.push_back(m_positions[i] + 0.5 * length(i));
+          changed = true;
+        }
+        finer.push_back(m_positions[i + 1]);
+      }
+      m_positions.swap(finer);
+    }
+  }
+
+  // The arc height is taken at the quarters too: at an inflection the middle lies on the chord.
+  bool deviates(double s0, double s1) const
+  {
+    typedef typename Curve::Geom_traits::Line_3 Line_3;
+    const auto p = m_curve.point(m_arc_length.parameter_at(s0)), q = m_curve.point(m_arc_length.parameter_at(s1));
+    const double squared_chord = squared_distance(p, q);
+    double squared_height = 0;
+    for(double share : {0.25, 0.5, 0.75}) {
+      const auto x = m_curve.point(m_arc_length.parameter_at(s0 + share * (s1 - s0)));
+      squared_height = (std::max)(squared_height, squared_chord > 0 ? squared_distance(x, Line_3(p, q)) : squared_distance(x, p));
+    }
+    const double reference = m_criteria.curve_deviation() == Curve_deviation::HEIGHT_OVER_CHORD
+                               ? std::sqrt(squared_chord)
+                               : m_curve.curvature_radius(m_arc_length.parameter_at(0.5 * (s0 + s1)));
+    return std::sqrt(squared_height) > m_criteria.gamma() * reference;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+
+/*!
+\ingroup PkgParametricSurfaceMesherDomain
+
+divides a curve in space (paper, section "Curve Division"): into `N = length / max_edge` pieces of equal length (eq. 1),
+rounded up; then each piece in halves while its deviation is above `gamma` and the half is not shorter than `min_edge`. After that pieces
+more than twice as long as a neighbour are halved too, so that triangles along the curve can grade.
+
+Lengths are arc lengths in space by adaptive quadrature. A curve of length 0 (a collapsed side of a patch) is one piece.
+
+\param curve the curve: a model of `ParametricCurve_3`
+\param criteria gives `max_edge`, `min_edge` (both must be set), `gamma` and the deviation measure
+\param min_number_of_edges a lower bound of the number of pieces: 3 for a curve that closes on itself
+\param number_of_edges if not 0, the curve gets exactly this number of equal pieces instead
+\return the parameters of the points, from `curve.begin()` to `curve.end()`, both included
+\throws Parametric_surface_mesh_error if the curve is not finite
+
+\tparam Curve a model of `ParametricCurve_3`
+*/
+template <class Curve>
+std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_mesh_criteria& criteria,
+                                 std::size_t min_number_of_edges = 1, std::size_t number_of_edges = 0)
+{
+  CGAL_precondition(number_of_edges > 0 || (criteria.max_edge() > 0 && criteria.min_edge() > 0));
+  const auto speed = [&curve](double t) { return curve.speed(t); };
+  typedef Parametric_surface_mesher::internal::Arc_length<decltype(speed)> Arc_length;
+  const double rough_length = Arc_length(speed, curve.begin(), curve.end(), 4).length();
+  const std::size_t table_size = std::size_t((std::min)((std::max)(rough_length / criteria.max_edge(), 16.), 1e5));
+  const Arc_length arc_length(speed, curve.begin(), curve.end(), table_size);
+  if(!(arc_length.length() > 1e-9 * criteria.max_edge()))
+    return {curve.begin(), curve.end()};
+
+  Parametric_surface_mesher::internal::Curve_division<Curve, Arc_length> division(curve, arc_length, criteria);
+  if(number_of_edges > 0) {
+    division.divide_equally(number_of_edges);
+    return division.parameters();
+  }
+  // the tolerance keeps a length of exactly n edges from becoming n + 1
+  const double pieces = std::ceil(arc_length.length() / criteria.max_edge() * (1 - 1e-9));
+  if(!(pieces <= double(criteria.max_number_of_vertices())))
+    throw Parametric_surface_mesh_error("the maximum edge length " + std::to_string(criteria.max_edge())
+                                        + " divides a boundary curve into more pieces than the allowed number of vertices");
+  division.divide_equally((std::max)(std::size_t(pieces), min_number_of_edges));
+  division.halve_by_deviation();
+  return division.parameters();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DIVIDE_CURVE_H

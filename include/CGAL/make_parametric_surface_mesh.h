@@ -1,0 +1,227 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_MAKE_PARAMETRIC_SURFACE_MESH_H
+#define CGAL_MAKE_PARAMETRIC_SURFACE_MESH_H
+
+#include <CGAL/First_fundamental_form_metric_2.h>
+#include <CGAL/Parametric_domain_2.h>
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesh_parameters.h>
+#include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_mesh_visitor.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_collector.h>
+#include <CGAL/Parametric_surface_mesher/internal/divide_domain.h>
+#include <CGAL/Parametric_surface_mesher/internal/divide_model.h>
+#include <CGAL/Parametric_surface_mesher/internal/mesh_divided_patch.h>
+#include <CGAL/Parametric_surface_model_3.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Parametric_surface_mesher {
+namespace internal {
+
+template <class Visitor>
+Visitor& unwrap(Visitor& visitor) { return visitor; }
+
+template <class Visitor>
+Visitor& unwrap(std::reference_wrapper<Visitor>& visitor) { return visitor.get(); }
+
+// a property map that forgets what it is told
+template <class Key, class Value>
+struct Ignoring_property_map
+{
+  typedef Key key_type;
+  typedef Value value_type;
+  typedef Value reference;
+  typedef boost::writable_property_map_tag category;
+  friend void put(const Ignoring_property_map&, const Key&, const Value&) {}
+};
+
+// Hands a finished mesh to the user's data structure.
+template <class Kernel, class TriangleMesh, class NamedParameters>
+void output(const Indexed_mesh<Kernel>& mesh, const std::vector<std::size_t>& patches, TriangleMesh& tm,
+            const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  add_to_face_graph(mesh, patches, tm,
+                    choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tm)),
+                    choose_parameter(get_parameter(np, Vertex_uv_map_t()),
+                                     Ignoring_property_map<typename Graph_traits::vertex_descriptor,
+                                                           typename Kernel::Point_2>()),
+                    choose_parameter(get_parameter(np, Face_patch_id_map_t()),
+                                     Ignoring_property_map<typename Graph_traits::face_descriptor, std::size_t>()));
+}
+
+inline void complete(Parametric_surface_mesh_report& report, std::size_t number_of_vertices, std::size_t number_of_faces)
+{
+  report.number_of_vertices = number_of_vertices;
+  report.number_of_faces = number_of_faces;
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+
+/*!
+\ingroup PkgParametricSurfaceMesherFunctions
+
+meshes a trimmed parametric surface.
+
+The boundary of the domain is divided once; then the inside is triangulated and refined until every triangle meets the criteria.
+The division is never changed: its points are the first vertices of the mesh, in the order of loops and curves.
+What could not be met is in the report.
+
+If the input is refused nothing is added to `tm`.
+
+\tparam Surface a model of `ParametricSurface_3`
+\tparam Criteria a model of `ParametricSurfaceMeshCriteria_2`, usually `Parametric_surface_mesh_criteria`
+\tparam TriangleMesh a model of `MutableFaceGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param surface the surface
+\param domain the trimmed part of its parameter domain
+\param criteria what the mesh must meet
+\param tm the mesh that the triangles are added to
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_uv_map}
+    \cgalParamDescription{a property map that takes the domain point of each vertex}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `%Point_2` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{metric_field}
+    \cgalParamDescription{the metric field that decides which triangles are well shaped}
+    \cgalParamType{a model of `ParametricSurfaceMetricField_2`}
+    \cgalParamDefault{`CGAL::First_fundamental_form_metric_2`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{shows progress and can stop the refinement early; `std::ref` passes it by reference}
+    \cgalParamType{a model of `ParametricSurfaceMeshVisitor`}
+    \cgalParamDefault{`CGAL::Parametric_surface_mesh_visitor`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return counts, smallest angles, what was not met and why, and the time of each phase
+
+\throws Parametric_surface_mesh_error for input that cannot be meshed: values that are not finite, loops that are open, cross
+or are nested wrongly, a domain of area zero, a degenerate surface, or sizes that contradict each other
+
+Complexity: `O(n log n)` in practice for `n` triangles.
+*/
+template <class Surface, class Criteria, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Parametric_surface_mesh_report
+make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<typename Surface::Geom_traits>& domain,
+                             const Criteria& criteria, TriangleMesh& tm,
+                             const NamedParameters& np = parameters::default_values())
+{
+  using namespace Parametric_surface_mesher::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef typename Surface::Geom_traits Kernel;
+
+  const auto metric = choose_parameter(get_parameter(np, Metric_field_t()), First_fundamental_form_metric_2<Kernel>());
+  auto given_visitor = choose_parameter(get_parameter(np, internal_np::visitor), Parametric_surface_mesh_visitor());
+  auto& visitor = unwrap(given_visitor);
+
+  Parametric_surface_mesh_report report;
+  Parametric_domain_2<Kernel> closed_domain = domain;
+  Criteria sized_criteria = criteria;
+  Indexed_mesh<Kernel> mesh;
+  Boundary_loops<Kernel> loops;
+  {
+    Phase_timer timer(report.seconds.division);
+    visitor.on_phase("division");
+    close_loops(closed_domain);
+    set_default_sizes(sized_criteria, boundary_diagonal(surface, closed_domain));
+    loops = divide_domain(surface, closed_domain, sized_criteria);
+    report.number_of_boundary_edges = append_boundary(loops, mesh);
+  }
+  mesh_divided_patch(surface, metric, sized_criteria, loops, visitor, mesh, report);
+  Phase_timer timer(report.seconds.output);
+  visitor.on_phase("output");
+  output(mesh, std::vector<std::size_t>(mesh.faces.size(), 0), tm, np);
+  complete(report, mesh.points.size(), mesh.faces.size());
+  return report;
+}
+
+/*!
+\ingroup PkgParametricSurfaceMesherFunctions
+
+meshes a model of several patches into one mesh. Each edge of the model is divided once, and its points are shared by all faces that
+use it, so that the mesh has no crack along it.
+
+The first vertices of the mesh are the vertices of the model; then come the inner points of its edges, edge by edge in the order
+of their first use.
+
+\tparam Surface a model of `ParametricSurface_3`
+
+Criteria, mesh, named parameters, report and exceptions are as above; in addition:
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{face_patch_id_map}
+    \cgalParamDescription{a property map that takes, for each face of the mesh, the number of the patch that it lies on}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
+                   as key type and `std::size_t` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+*/
+template <class Surface, class Criteria, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Parametric_surface_mesh_report
+make_parametric_surface_mesh(const Parametric_surface_model_3<Surface>& model, const Criteria& criteria,
+                             TriangleMesh& tm, const NamedParameters& np = parameters::default_values())
+{
+  using namespace Parametric_surface_mesher::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef typename Surface::Geom_traits Kernel;
+
+  const auto metric = choose_parameter(get_parameter(np, Metric_field_t()), First_fundamental_form_metric_2<Kernel>());
+  auto given_visitor = choose_parameter(get_parameter(np, internal_np::visitor), Parametric_surface_mesh_visitor());
+  auto& visitor = unwrap(given_visitor);
+
+  Parametric_surface_mesh_report report;
+  Criteria sized_criteria = criteria;
+  set_default_sizes(sized_criteria, model_diagonal(model));
+  Indexed_mesh<Kernel> mesh;
+  visitor.on_phase("division");
+  Timer division_timer;
+  division_timer.start();
+  const Model_division<Surface> division(model, sized_criteria, mesh);
+  report.seconds.division = division_timer.time();
+  report.number_of_boundary_edges = division.number_of_edges();
+
+  std::vector<std::size_t> patches;
+  for(std::size_t f = 0; f < model.faces().size(); ++f) {
+    mesh_face_of_model(model.faces()[f], f, division, metric, sized_criteria, visitor, mesh, report);
+    patches.resize(mesh.faces.size(), f);
+  }
+  Phase_timer timer(report.seconds.output);
+  visitor.on_phase("output");
+  output(mesh, patches, tm, np);
+  complete(report, mesh.points.size(), mesh.faces.size());
+  return report;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_MAKE_PARAMETRIC_SURFACE_MESH_H

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# This file is part of Parametric_surface_mesher, an extension package of CGAL.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing, builds everything in build/ and runs all tests; then those of
+# test/Parametric_surface_mesher/CMakeLists.txt's list, and the examples, under the address and undefined-behaviour
+# sanitizers in build/sanitize/.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root"
+scripts/install_dependencies.sh
+jobs=$(nproc)
+
+# configure DIRECTORY [option...]: quiet unless it fails
+configure() {
+  local directory=$1 log
+  shift
+  echo "== Configuring $directory/"
+  mkdir -p "$directory"
+  log=$directory/configure.log
+  cmake -S . -B "$directory" "$@" > "$log" 2>&1 || { cat "$log"; exit 1; }
+}
+
+configure build -DCMAKE_BUILD_TYPE=Release
+echo "== Building"
+cmake --build build -j "$jobs"
+echo "== Testing"
+ctest --test-dir build --output-on-failure -j "$jobs"
+
+configure build/sanitize -DCMAKE_BUILD_TYPE=Release -DPARAMETRIC_SURFACE_MESHER_SANITIZE=address,undefined \
+  -DPARAMETRIC_SURFACE_MESHER_WITH_BENCHMARKS=OFF
+echo "== Building with sanitizers"
+cmake --build build/sanitize -j "$jobs"
+echo "== Testing with sanitizers"
+ctest --test-dir build/sanitize --output-on-failure -j "$jobs"
+
+echo "== All tests passed"
