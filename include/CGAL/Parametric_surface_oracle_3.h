@@ -25,13 +25,15 @@ bends within the surface. Around a singular point (a pole, where a side of the d
 bend however small the edges are: at a distance `r` the ratio is `L / 8r`. Closer to such a point than `L / 6 gamma`
 only the part of `H` along the surface normal counts.
 
-\tparam Surface a model of `ParametricSurface_3`
+\tparam Surface_ a model of `ParametricSurface_3`
 \tparam MetricField a model of `ParametricSurfaceMetricField_2`
 */
-template <class Surface, class MetricField>
+template <class Surface_, class MetricField>
 class Parametric_surface_oracle_3
 {
 public:
+  typedef Surface_ Surface;
+  typedef MetricField Metric_field;
   typedef typename Surface::Geom_traits Geom_traits;
   typedef typename Geom_traits::Point_3 Point_3;
   typedef typename Geom_traits::Vector_3 Vector_3;
@@ -90,6 +92,16 @@ private:
     return length > 0 ? e - (e * d / length) * d : e;
   }
 };
+
+/// \ingroup PkgParametricSurfaceMesherRef
+/// the oracle of a patch; refers to `surface` and `metric`.
+template <class Surface, class MetricField>
+Parametric_surface_oracle_3<Surface, MetricField>
+make_parametric_surface_oracle(const Surface& surface, const MetricField& metric,
+            std::vector<typename Surface::Geom_traits::Point_3> singular_points)
+{
+  return Parametric_surface_oracle_3<Surface, MetricField>(surface, metric, std::move(singular_points));
+}
 
 } // namespace CGAL
 

@@ -95,29 +95,33 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // The positions, as arc lengths, that divide one curve (paper, section "Curve Division").
-template <class Curve, class ArcLength>
+template <class Curve, class ArcLength, class Size>
 class Curve_division
 {
   const Curve& m_curve;
   const ArcLength& m_arc_length;
+  const Size& m_size;
   const Parametric_surface_mesh_criteria& m_criteria;
-  std::vector<double> m_positions;
+  std::vector<Curve_position> m_positions;
 
 public:
-  Curve_division(const Curve& curve, const ArcLength& arc_length, const Parametric_surface_mesh_criteria& criteria)
-    : m_curve(curve), m_arc_length(arc_length), m_criteria(criteria), m_positions(1, 0.)
+  Curve_division(const Curve& curve, const ArcLength& arc_length, const Size& size,
+                 const Parametric_surface_mesh_criteria& criteria)
+    : m_curve(curve), m_arc_length(arc_length), m_size(size), m_criteria(criteria)
   {}
 
   void divide_equally(std::size_t n)
   {
-    for(std::size_t i = 1; i <= n; ++i)
-      m_positions.push_back(m_arc_length.length() * (double(i) / double(n)));
+    for(std::size_t i = 0; i <= n; ++i)
+      m_positions.push_back(m_arc_length.position_at(m_arc_length.length() * (double(i) / double(n))));
   }
 
-  // halving by deviation, then until no piece is more than twice as long as its neighbour
-  void halve_by_deviation()
+  // halving by deviation and size, then until no piece is more than twice as long as its neighbour
+  void halve()
   {
-    halve_where([this](std::size_t i) { return deviates(m_positions[i], m_positions[i + 1]); });
+    halve_where([this](std::size_t i) {
+      return deviates(m_positions[i], m_positions[i + 1]) || is_oversized(m_positions[i], m_positions[i + 1]);
+    });
     halve_where([this](std::size_t i) {
       const double shortest_neighbor = (std::min)(i == 0 ? length(i) : length(i - 1),
                                                   i + 2 == m_positions.size() ? length(i) : length(i + 1));
@@ -128,23 +132,24 @@ public:
   std::vector<double> parameters() const
   {
     std::vector<double> result;
-    for(double s : m_positions)
-      result.push_back(m_arc_length.parameter_at(s));
+    for(const Curve_position& position : m_positions)
+      result.push_back(position.parameter);
     return result;
   }
 
 private:
-  double length(std::size_t i) const { return m_positions[i + 1] - m_positions[i]; }
+  double length(std::size_t i) const { return m_positions[i + 1].length - m_positions[i].length; }
 
   template <class Predicate>
   void halve_where(Predicate is_too_long)
   {
     for(bool changed = true; changed;) {
       changed = false;
-      std::vector<double> finer(1, m_positions.front());
+      std::vector<Curve_position> finer(1, m_positions.front());
       for(std::size_t i = 0; i + 1 < m_positions.size(); ++i) {
         if(length(i) >= 2 * m_criteria.min_edge() && is_too_long(i)) {
-          finer.push_back(m_positions[i] + 0.5 * length(i));
+          finer.push_back(m_arc_length.position_between(m_positions[i], m_positions[i + 1],
+                                                        m_positions[i].length + 0.5 * length(i)));
           changed = true;
         }
         finer.push_back(m_positions[i + 1]);
@@ -153,20 +158,34 @@ private:
     }
   }
 
-  // The arc height is taken at the quarters too: at an inflection the middle lies on the chord.
-  bool deviates(double s0, double s1) const
+  static double interpolate(const Curve_position& from, const Curve_position& to, double share)
   {
-    typedef typename Curve::Geom_traits::Line_3 Line_3;
-    const auto p = m_curve.point(m_arc_length.parameter_at(s0)), q = m_curve.point(m_arc_length.parameter_at(s1));
+    return from.parameter + share * (to.parameter - from.parameter);
+  }
+
+  // halving a piece of up to 1.4 times the wanted size would be further off than not
+  bool is_oversized(const Curve_position& from, const Curve_position& to) const
+  {
+    for(double share : {0., 0.5, 1.})
+      if(to.length - from.length > 1.4 * m_size(interpolate(from, to, share)))
+        return true;
+    return false;
+  }
+
+  // The arc height is taken at the quarters too: at an inflection the middle lies on the chord.
+  bool deviates(const Curve_position& from, const Curve_position& to) const
+  {
+    const auto p = m_curve.point(from.parameter), q = m_curve.point(to.parameter);
     const double squared_chord = squared_distance(p, q);
+    if(!(squared_chord > 0))
+      return true;
+    const typename Curve::Geom_traits::Line_3 chord(p, q);
     double squared_height = 0;
-    for(double share : {0.25, 0.5, 0.75}) {
-      const auto x = m_curve.point(m_arc_length.parameter_at(s0 + share * (s1 - s0)));
-      squared_height = (std::max)(squared_height, squared_chord > 0 ? squared_distance(x, Line_3(p, q)) : squared_distance(x, p));
-    }
+    for(double share : {0.25, 0.5, 0.75})
+      squared_height = (std::max)(squared_height, squared_distance(m_curve.point(interpolate(from, to, share)), chord));
     const double reference = m_criteria.curve_deviation() == Curve_deviation::HEIGHT_OVER_CHORD
                                ? std::sqrt(squared_chord)
-                               : m_curve.curvature_radius(m_arc_length.parameter_at(0.5 * (s0 + s1)));
+                               : m_curve.curvature_radius(interpolate(from, to, 0.5));
     return std::sqrt(squared_height) > m_criteria.gamma() * reference;
   }
 };
@@ -178,13 +197,16 @@ private:
 \ingroup PkgParametricSurfaceMesherDomain
 
 divides a curve in space (paper, section "Curve Division"): into `N = length / max_edge` pieces of equal length (eq. 1),
-rounded up; then each piece in halves while its deviation is above `gamma` and the half is not shorter than `min_edge`. After that pieces
-more than twice as long as a neighbour are halved too, so that triangles along the curve can grade.
+rounded up; then each piece in halves while its deviation is above `gamma` and the half is not shorter than `min_edge`.
+
+Two rules go beyond the paper, so that triangles along the curve can be well shaped: a piece is halved too while it is more than 1.4 times as
+long as `size` wants, and after that pieces more than twice as long as a neighbour are.
 
 Lengths are arc lengths in space by adaptive quadrature. A curve of length 0 (a collapsed side of a patch) is one piece.
 
 \param curve the curve: a model of `ParametricCurve_3`
 \param criteria gives `max_edge`, `min_edge` (both must be set), `gamma` and the deviation measure
+\param size a callable: the wanted edge length at a parameter of the curve
 \param min_number_of_edges a lower bound of the number of pieces: 3 for a curve that closes on itself
 \param number_of_edges if not 0, the curve gets exactly this number of equal pieces instead
 \return the parameters of the points, from `curve.begin()` to `curve.end()`, both included
@@ -192,8 +214,8 @@ Lengths are arc lengths in space by adaptive quadrature. A curve of length 0 (a 
 
 \tparam Curve a model of `ParametricCurve_3`
 */
-template <class Curve>
-std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_mesh_criteria& criteria,
+template <class Curve, class Size>
+std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_mesh_criteria& criteria, const Size& size,
                                  std::size_t min_number_of_edges = 1, std::size_t number_of_edges = 0)
 {
   CGAL_precondition(number_of_edges > 0 || (criteria.max_edge() > 0 && criteria.min_edge() > 0));
@@ -205,7 +227,7 @@ std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_me
   if(!(arc_length.length() > 1e-9 * criteria.max_edge()))
     return {curve.begin(), curve.end()};
 
-  Parametric_surface_mesher::internal::Curve_division<Curve, Arc_length> division(curve, arc_length, criteria);
+  Parametric_surface_mesher::internal::Curve_division<Curve, Arc_length, Size> division(curve, arc_length, size, criteria);
   if(number_of_edges > 0) {
     division.divide_equally(number_of_edges);
     return division.parameters();
@@ -216,8 +238,16 @@ std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_me
     throw Parametric_surface_mesh_error("the maximum edge length " + std::to_string(criteria.max_edge())
                                         + " divides a boundary curve into more pieces than the allowed number of vertices");
   division.divide_equally((std::max)(std::size_t(pieces), min_number_of_edges));
-  division.halve_by_deviation();
+  division.halve();
   return division.parameters();
+}
+
+/// \ingroup PkgParametricSurfaceMesherDomain
+/// divides a curve as above, without wanted sizes.
+template <class Curve>
+std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_mesh_criteria& criteria)
+{
+  return divide_curve(curve, criteria, [](double) { return std::numeric_limits<double>::infinity(); });
 }
 
 } // namespace CGAL

@@ -9,6 +9,8 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,12 +44,15 @@ class Patch_matcher
   {
     Point_2 from, to;
     Samples samples;
-    std::size_t source, target; // vertices
+    std::size_t place = 0; // number of the place in space of its source
+    std::size_t edge = 0;
+    bool is_reversed = false, is_collapsed = false;
   };
 
   const std::vector<Surface>& m_surfaces;
   double m_squared_tolerance;
-  std::vector<Side> m_sides; // four for each patch
+  std::vector<Side> m_sides;              // four for each patch
+  std::vector<std::size_t> m_first_sides; // of the edges
   Model m_model;
 
 public:
@@ -59,10 +64,11 @@ public:
   {
     for(const Surface& surface : m_surfaces)
       append_sides(surface);
-    merge_corners();
-    std::vector<Edge_use> uses = match_sides();
+    number_places();
+    match_sides();
+    add_vertices_and_edges();
     for(std::size_t i = 0; i < m_surfaces.size(); ++i)
-      m_model.add_face({m_surfaces[i], {{uses.begin() + 4 * i, uses.begin() + 4 * (i + 1)}}});
+      m_model.add_face({m_surfaces[i], {{use(4 * i), use(4 * i + 1), use(4 * i + 2), use(4 * i + 3)}}});
     orient_faces(m_model);
     return std::move(m_model);
   }
@@ -73,7 +79,9 @@ private:
     const std::array<Point_2, 4> corners = {Point_2(s.u_min(), s.v_min()), Point_2(s.u_max(), s.v_min()),
                                             Point_2(s.u_max(), s.v_max()), Point_2(s.u_min(), s.v_max())};
     for(int i = 0; i < 4; ++i) {
-      Side side{corners[i], corners[(i + 1) % 4], {}, 0, 0};
+      Side side;
+      side.from = corners[i];
+      side.to = corners[(i + 1) % 4];
       for(int k = 0; k < number_of_samples; ++k) {
         const double t = double(k) / (number_of_samples - 1);
         side.samples[k] = s.point((1 - t) * side.from.x() + t * side.to.x(), (1 - t) * side.from.y() + t * side.to.y());
@@ -90,8 +98,8 @@ private:
                        [&](const Point_3& p) { return are_close(p, side.samples.front()); });
   }
 
-  // Sweep along x: corners closer than the tolerance become one vertex.
-  void merge_corners()
+  // Sweep along x: corners closer than the tolerance are at one place.
+  void number_places()
   {
     std::vector<std::size_t> order(m_sides.size());
     std::iota(order.begin(), order.end(), 0);
@@ -100,18 +108,16 @@ private:
     });
     const double tolerance = std::sqrt(m_squared_tolerance);
     for(std::size_t i = 0; i < order.size(); ++i) {
-      bool is_new = true;
-      for(std::size_t k = i; is_new && k-- > 0 && corner(order[i]).x() - corner(order[k]).x() <= tolerance;)
+      m_sides[order[i]].place = order[i];
+      for(std::size_t k = i; k-- > 0 && corner(order[i]).x() - corner(order[k]).x() <= tolerance;)
         if(are_close(corner(order[i]), corner(order[k]))) {
-          m_sides[order[i]].source = m_sides[order[k]].source;
-          is_new = false;
+          m_sides[order[i]].place = m_sides[order[k]].place;
+          break;
         }
-      if(is_new)
-        m_sides[order[i]].source = m_model.add_vertex(corner(order[i]));
     }
-    for(std::size_t i = 0; i < m_sides.size(); ++i)
-      m_sides[i].target = m_sides[i % 4 == 3 ? i - 3 : i + 1].source;
   }
+
+  static std::size_t next_side(std::size_t i) { return i % 4 == 3 ? i - 3 : i + 1; }
 
   const Point_3& corner(std::size_t side) const { return m_sides[side].samples.front(); }
 
@@ -123,37 +129,61 @@ private:
     return true;
   }
 
-  std::vector<Edge_use> match_sides()
+  void match_sides()
   {
-    std::vector<Edge_use> uses;
-    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::pair<std::size_t, std::size_t>>> known; // edge, side
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> edges_between; // places
     for(std::size_t i = 0; i < m_sides.size(); ++i) {
-      const Side& side = m_sides[i];
-      if(is_collapsed(side)) {
-        uses.push_back(use(m_model.add_edge(side.source, side.source, true), side, false));
-        continue;
-      }
-      auto& candidates = known[std::minmax(side.source, side.target)];
-      bool is_found = false;
-      for(const auto& candidate : candidates)
-        for(bool is_reversed : {true, false})
-          if(!is_found && are_equal(side, m_sides[candidate.second], is_reversed)) {
-            uses.push_back(use(candidate.first, side, is_reversed));
-            is_found = true;
-          }
-      if(!is_found) {
-        uses.push_back(use(m_model.add_edge(side.source, side.target), side, false));
-        candidates.emplace_back(uses.back().edge, i);
+      m_sides[i].is_collapsed = is_collapsed(m_sides[i]);
+      const std::pair<std::size_t, std::size_t> places = std::minmax(m_sides[i].place, m_sides[next_side(i)].place);
+      if(m_sides[i].is_collapsed || !match(m_sides[i], edges_between[places])) {
+        m_sides[i].edge = m_first_sides.size();
+        edges_between[places].push_back(m_sides[i].edge);
+        m_first_sides.push_back(i);
       }
     }
-    return uses;
   }
 
-  static Edge_use use(std::size_t edge, const Side& side, bool is_reversed)
+  bool match(Side& side, const std::vector<std::size_t>& edges) const
+  {
+    for(std::size_t edge : edges)
+      for(bool is_reversed : {true, false})
+        if(are_equal(side, m_sides[m_first_sides[edge]], is_reversed)) {
+          side.edge = edge;
+          side.is_reversed = is_reversed;
+          return true;
+        }
+    return false;
+  }
+
+  // Corners are one vertex if matched sides join them. Pieces that merely touch in a point keep vertices of their own there.
+  void add_vertices_and_edges()
+  {
+    std::vector<std::size_t> ranks(m_sides.size()), parents(m_sides.size());
+    boost::disjoint_sets<std::size_t*, std::size_t*> corners(ranks.data(), parents.data());
+    for(std::size_t i = 0; i < m_sides.size(); ++i)
+      corners.make_set(i);
+    for(std::size_t i = 0; i < m_sides.size(); ++i) {
+      const std::size_t first = m_first_sides[m_sides[i].edge];
+      corners.union_set(i, m_sides[i].is_reversed ? next_side(first) : first);
+      corners.union_set(next_side(i), m_sides[i].is_reversed ? first : next_side(first));
+      if(m_sides[i].is_collapsed)
+        corners.union_set(i, next_side(i));
+    }
+    std::map<std::size_t, std::size_t> vertices; // of representatives
+    for(std::size_t i = 0; i < m_sides.size(); ++i)
+      if(vertices.count(corners.find_set(i)) == 0)
+        vertices[corners.find_set(i)] = m_model.add_vertex(corner(i));
+    for(std::size_t first : m_first_sides)
+      m_model.add_edge(vertices[corners.find_set(first)], vertices[corners.find_set(next_side(first))],
+                       m_sides[first].is_collapsed);
+  }
+
+  Edge_use use(std::size_t i) const
   {
     typedef Domain_curve_2<Kernel> Curve;
-    return {edge, is_reversed,
-            is_reversed ? Curve::segment(side.to, side.from) : Curve::segment(side.from, side.to)};
+    const Side& side = m_sides[i];
+    return {side.edge, side.is_reversed,
+            side.is_reversed ? Curve::segment(side.to, side.from) : Curve::segment(side.from, side.to)};
   }
 };
 

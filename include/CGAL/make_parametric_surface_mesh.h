@@ -14,6 +14,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/divide_domain.h>
 #include <CGAL/Parametric_surface_mesher/internal/divide_model.h>
 #include <CGAL/Parametric_surface_mesher/internal/mesh_divided_patch.h>
+#include <CGAL/Parametric_surface_mesher/internal/mesh_face_of_model.h>
 #include <CGAL/Parametric_surface_model_3.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -147,15 +148,16 @@ make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<t
   Criteria sized_criteria = criteria;
   Indexed_mesh<Kernel> mesh;
   Boundary_loops<Kernel> loops;
+  visitor.on_phase("division");
+  close_loops(closed_domain);
+  set_default_sizes(sized_criteria, boundary_diagonal(surface, closed_domain));
+  const auto oracle = make_parametric_surface_oracle(surface, metric, singular_points(surface, closed_domain, sized_criteria));
   {
     Phase_timer timer(report.seconds.division);
-    visitor.on_phase("division");
-    close_loops(closed_domain);
-    set_default_sizes(sized_criteria, boundary_diagonal(surface, closed_domain));
-    loops = divide_domain(surface, closed_domain, sized_criteria);
+    loops = divide_domain(oracle, closed_domain, sized_criteria);
     report.number_of_boundary_edges = append_boundary(loops, mesh);
   }
-  mesh_divided_patch(surface, metric, sized_criteria, loops, visitor, mesh, report);
+  mesh_divided_patch(oracle, sized_criteria, loops, visitor, mesh, report);
   Phase_timer timer(report.seconds.output);
   visitor.on_phase("output");
   output(mesh, std::vector<std::size_t>(mesh.faces.size(), 0), tm, np);
@@ -203,16 +205,17 @@ make_parametric_surface_mesh(const Parametric_surface_model_3<Surface>& model, c
   Criteria sized_criteria = criteria;
   set_default_sizes(sized_criteria, model_diagonal(model));
   Indexed_mesh<Kernel> mesh;
+  const auto oracles = make_oracles(model, metric);
   visitor.on_phase("division");
   Timer division_timer;
   division_timer.start();
-  const Model_division<Surface> division(model, sized_criteria, mesh);
+  const Model_division<typename decltype(oracles)::value_type> division(model, oracles, sized_criteria, mesh);
   report.seconds.division = division_timer.time();
   report.number_of_boundary_edges = division.number_of_edges();
 
   std::vector<std::size_t> patches;
   for(std::size_t f = 0; f < model.faces().size(); ++f) {
-    mesh_face_of_model(model.faces()[f], f, division, metric, sized_criteria, visitor, mesh, report);
+    mesh_face_of_model(model.faces()[f], f, oracles[f], division, sized_criteria, visitor, mesh, report);
     patches.resize(mesh.faces.size(), f);
   }
   Phase_timer timer(report.seconds.output);

@@ -14,60 +14,68 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
+// A point of a curve: the arc length up to it, and its parameter.
+struct Curve_position
+{
+  double length;
+  double parameter;
+};
+
 // The arc length of a curve in space, by adaptive quadrature of its speed, and its inverse.
 template <class Speed>
 class Arc_length
 {
   Speed m_speed;
-  std::vector<double> m_parameters, m_lengths; // the length up to each of the parameters
+  std::vector<Curve_position> m_table;
 
 public:
-  // `speed(t)` is the length of the derivative; may not throw away the sign: `end < begin` is allowed.
-  // The length is tabulated at `n` intervals.
+  // `speed(t)` is the length of the derivative; `end < begin` is allowed. The length is tabulated at `n` intervals.
   Arc_length(Speed speed, double begin, double end, std::size_t n)
-    : m_speed(speed), m_parameters(1, begin), m_lengths(1, 0.)
+    : m_speed(speed), m_table(1, Curve_position{0, begin})
   {
     for(std::size_t i = 1; i <= n; ++i) {
       const double t = i == n ? end : begin + (end - begin) * double(i) / double(n);
-      m_lengths.push_back(m_lengths.back() + length_between(m_parameters.back(), t));
-      m_parameters.push_back(t);
+      m_table.push_back({m_table.back().length + length_between(m_table.back().parameter, t), t});
     }
   }
 
-  double length() const { return m_lengths.back(); }
+  double length() const { return m_table.back().length; }
 
-  // the parameter up to which the curve has length `s`
-  double parameter_at(double s) const
+  // the position up to which the curve has length `s`
+  Curve_position position_at(double s) const
   {
     if(s <= 0)
-      return m_parameters.front();
+      return m_table.front();
     if(s >= length())
-      return m_parameters.back();
-    const std::size_t i = std::upper_bound(m_lengths.begin(), m_lengths.end(), s) - m_lengths.begin();
-    return solve(m_parameters[i - 1], m_parameters[i], s - m_lengths[i - 1], m_lengths[i] - m_lengths[i - 1]);
+      return m_table.back();
+    const auto above = std::upper_bound(m_table.begin(), m_table.end(), s,
+                                        [](double s, const Curve_position& p) { return s < p.length; });
+    return position_between(*(above - 1), *above, s);
+  }
+
+  // The position of length `s` between two known ones, by Newton steps that keep a bracket.
+  Curve_position position_between(const Curve_position& from, const Curve_position& to, double s) const
+  {
+    double t0 = from.parameter, t1 = to.parameter;
+    double t = t0 + (t1 - t0) * (s - from.length) / (to.length - from.length);
+    for(int step = 0; step < 60; ++step) {
+      const double excess = from.length + length_between(from.parameter, t) - s;
+      if(std::fabs(excess) <= 1e-11 * length())
+        break;
+      (excess < 0 ? t0 : t1) = t;
+      const double newton = t - excess / m_speed(t) * (to.parameter > from.parameter ? 1 : -1);
+      const bool is_inside = (newton - t0) * (newton - t1) < 0;
+      t = is_inside ? newton : 0.5 * (t0 + t1);
+      if(t == t0 || t == t1)
+        break;
+    }
+    return {s, t};
   }
 
 private:
   double length_between(double t0, double t1) const
   {
     return std::fabs(boost::math::quadrature::gauss_kronrod<double, 15>::integrate(m_speed, t0, t1, 12, 1e-9));
-  }
-
-  // Secant steps that keep a bracket; the interval has length `total` and the answer length `target` from t0.
-  double solve(double t0, double t1, double target, double total) const
-  {
-    const double origin = t0;
-    double below = 0, above = total;
-    for(int step = 0; step < 40; ++step) {
-      const double share = (target - below) / (above - below);
-      const double t = t0 + (t1 - t0) * (step % 4 == 3 ? 0.5 : share);
-      const double length = length_between(origin, t);
-      if(std::fabs(length - target) <= 1e-12 * this->length() || t == t0 || t == t1)
-        return t;
-      (length < target ? t0 : t1) = t;
-      (length < target ? below : above) = length;
-    }
-    return t0;
   }
 };
 

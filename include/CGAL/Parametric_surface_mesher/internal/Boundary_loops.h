@@ -5,12 +5,12 @@
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/describe.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/enum.h>
 
 #include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,15 +32,6 @@ struct Boundary_vertex
 // The divided boundary of a patch, outer loop first.
 template <class Kernel>
 using Boundary_loops = std::vector<std::vector<Boundary_vertex<Kernel>>>;
-
-template <class Point_2>
-std::string describe(const Point_2& p)
-{
-  std::ostringstream text;
-  text.precision(17);
-  text << "(" << p.x() << ", " << p.y() << ")";
-  return text.str();
-}
 
 // Refuses divisions that do not bound a domain: fewer than three points, values that are not finite, segments of
 // length zero or segments that meet elsewhere than at the common point of neighbours. All tests are exact; O(n log n).

@@ -9,6 +9,7 @@
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/Spacing_limit.h>
 #include <CGAL/divide_curve.h>
 
 #include <algorithm>
@@ -104,29 +105,52 @@ void merge_last_with_first(std::vector<Boundary_vertex<Kernel>>& loop, std::size
     loop[i - 1].index = loop.front().index;
 }
 
-// Divides all boundary curves of a domain. The points get the indices 0, 1, 2, ... in the order of loops and curves.
+// Whether a curve is a point in space.
 template <class Surface>
-Boundary_loops<typename Surface::Geom_traits>
-divide_domain(const Surface& surface, const Parametric_domain_2<typename Surface::Geom_traits>& domain,
+bool is_collapsed(const Surface& surface, const Domain_curve_2<typename Surface::Geom_traits>& curve,
+                  const Parametric_surface_mesh_criteria& criteria)
+{
+  return diagonal(curve_box(surface, curve)) <= 1e-9 * criteria.max_edge();
+}
+
+// The images of the collapsed sides of a domain.
+template <class Surface>
+std::vector<typename Surface::Geom_traits::Point_3>
+singular_points(const Surface& surface, const Parametric_domain_2<typename Surface::Geom_traits>& domain,
+                const Parametric_surface_mesh_criteria& criteria)
+{
+  std::vector<typename Surface::Geom_traits::Point_3> result;
+  for(const auto& loop : domain.loops())
+    for(const auto& curve : loop)
+      if(is_collapsed(surface, curve, criteria))
+        result.push_back(surface.point(curve.source().x(), curve.source().y()));
+  return result;
+}
+
+// Divides all boundary curves of a domain. The points get the indices 0, 1, 2, ... in the order of loops and curves.
+template <class Oracle>
+Boundary_loops<typename Oracle::Geom_traits>
+divide_domain(const Oracle& oracle, const Parametric_domain_2<typename Oracle::Geom_traits>& domain,
               const Parametric_surface_mesh_criteria& criteria)
 {
-  Boundary_loops<typename Surface::Geom_traits> result;
+  typedef Curve_on_surface_3<typename Oracle::Surface> Curve_on_surface;
+  const Spacing_limit<Oracle> spacing_limit(oracle, criteria);
+  Boundary_loops<typename Oracle::Geom_traits> result;
   std::size_t index = 0;
   for(const auto& loop : domain.loops()) {
     const std::size_t min_number_of_edges = loop.size() == 1 ? 3 : loop.size() == 2 ? 2 : 1;
     result.emplace_back();
     for(const auto& curve : loop) {
-      const Curve_on_surface_3<Surface> curve_on_surface(surface, curve);
+      const Curve_on_surface curve_on_surface(oracle.surface(), curve);
+      const bool is_point = is_collapsed(oracle.surface(), curve, criteria);
       const std::vector<double> parameters
-        = divide_curve(curve_on_surface, criteria, min_number_of_edges, curve.number_of_edges());
+        = is_point ? std::vector<double>{curve.begin(), curve.end()}
+                   : divide_curve(curve_on_surface, criteria, [&](double t) { return spacing_limit(curve.point(t)); },
+                                  min_number_of_edges, curve.number_of_edges());
       // the last point is the first one of the next curve
       for(std::size_t i = 0; i + 1 < parameters.size(); ++i)
-        result.back().push_back(
-          {curve.point(parameters[i]), curve_on_surface.point(parameters[i]), index++});
-      // both ends of a collapsed side are one point in space
-      if(parameters.size() == 2
-         && squared_distance(curve_on_surface.point(curve.begin()), curve_on_surface.point(curve.end()))
-              <= square(1e-9 * criteria.max_edge()))
+        result.back().push_back({curve.point(parameters[i]), curve_on_surface.point(parameters[i]), index++});
+      if(is_point) // both ends are one point in space
         --index;
     }
     merge_last_with_first(result.back(), index);

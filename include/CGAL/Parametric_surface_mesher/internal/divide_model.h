@@ -7,12 +7,13 @@
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/divide_domain.h>
-#include <CGAL/Parametric_surface_mesher/internal/mesh_divided_patch.h>
+#include <CGAL/Parametric_surface_mesher/internal/Spacing_limit.h>
 #include <CGAL/Parametric_surface_model_3.h>
+#include <CGAL/Parametric_surface_oracle_3.h>
 #include <CGAL/divide_curve.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,35 +21,51 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The edges of a model, each divided once: on the first face that uses it. The mesh gets the vertices of the model first,
-// then the inner points of the edges, edge by edge.
-template <class Surface>
+// The edges of a model, each divided once: on the first face that uses it, with the sizes of all faces that do. The mesh gets the
+// vertices of the model first, then the inner points of the edges, edge by edge.
+template <class Oracle>
 class Model_division
 {
-  typedef typename Surface::Geom_traits Kernel;
+  typedef typename Oracle::Geom_traits Kernel;
+  typedef typename Oracle::Surface Surface;
   typedef Parametric_surface_model_3<Surface> Model;
   typedef typename Model::Edge_use Edge_use;
 
+  struct Use
+  {
+    std::size_t face;
+    const Edge_use* use;
+  };
+
   struct Division
   {
+    std::vector<Use> uses;
     std::vector<double> parameters;   // empty if no face uses the edge
     std::size_t first_inner_index = 0; // of the second point
   };
 
   const Model& m_model;
+  const std::vector<Oracle>& m_oracles; // of the faces
+  const Parametric_surface_mesh_criteria& m_criteria;
   std::vector<Division> m_divisions;
 
 public:
-  Model_division(const Model& model, const Parametric_surface_mesh_criteria& criteria, Indexed_mesh<Kernel>& mesh)
-    : m_model(model), m_divisions(model.edges().size())
+  Model_division(const Model& model, const std::vector<Oracle>& oracles,
+                 const Parametric_surface_mesh_criteria& criteria, Indexed_mesh<Kernel>& mesh)
+    : m_model(model), m_oracles(oracles), m_criteria(criteria), m_divisions(model.edges().size())
   {
     mesh.points = model.vertices();
+    std::vector<std::size_t> order; // of first use
+    for(std::size_t f = 0; f < model.faces().size(); ++f)
+      for(const auto& loop : model.faces()[f].loops)
+        for(const Edge_use& use : loop) {
+          if(m_divisions[use.edge].uses.empty())
+            order.push_back(use.edge);
+          m_divisions[use.edge].uses.push_back({f, &use});
+        }
+    for(std::size_t edge : order)
+      divide(edge, mesh);
     mesh.domain_points.resize(mesh.points.size());
-    for(const auto& face : model.faces())
-      for(const auto& loop : face.loops)
-        for(const Edge_use& use : loop)
-          if(m_divisions[use.edge].parameters.empty())
-            divide(face.surface, use, criteria, mesh);
   }
 
   // the divided boundary of a face; the mesh gets the domain points of its vertices
@@ -73,21 +90,28 @@ public:
   }
 
 private:
-  void divide(const Surface& surface, const Edge_use& use, const Parametric_surface_mesh_criteria& criteria,
-              Indexed_mesh<Kernel>& mesh)
+  void divide(std::size_t number, Indexed_mesh<Kernel>& mesh)
   {
-    Division& division = m_divisions[use.edge];
-    const Curve_on_surface_3<Surface> curve(surface, use.curve);
-    const typename Model::Edge& edge = m_model.edges()[use.edge];
+    Division& division = m_divisions[number];
+    const typename Model::Edge& edge = m_model.edges()[number];
+    const auto& domain_curve = division.uses.front().use->curve;
+    const Curve_on_surface_3<Surface> curve(m_oracles[division.uses.front().face].surface(), domain_curve);
     if(edge.is_collapsed)
       division.parameters = {curve.begin(), curve.end()};
     else
-      division.parameters
-        = divide_curve(curve, criteria, edge.source == edge.target ? 3 : 1, use.curve.number_of_edges());
+      division.parameters = divide_curve(curve, m_criteria, [&](double t) { return spacing_limit(division, t); },
+                                         edge.source == edge.target ? 3 : 1, domain_curve.number_of_edges());
     division.first_inner_index = mesh.points.size();
     for(std::size_t i = 1; i + 1 < division.parameters.size(); ++i)
       mesh.points.push_back(curve.point(division.parameters[i]));
-    mesh.domain_points.resize(mesh.points.size());
+  }
+
+  double spacing_limit(const Division& division, double t) const
+  {
+    double limit = m_criteria.max_edge();
+    for(const Use& use : division.uses)
+      limit = (std::min)(limit, Spacing_limit<Oracle>(m_oracles[use.face], m_criteria)(use.use->curve.point(t)));
+    return limit;
   }
 
   // the points of a use but for its last one, which begins the next use
@@ -119,21 +143,21 @@ double model_diagonal(const Parametric_surface_model_3<Surface>& model)
   return diagonal(box);
 }
 
-// Meshes one face of a divided model into `mesh`.
-template <class Face, class Division, class MetricField, class Criteria, class Visitor, class Mesh>
-void mesh_face_of_model(const Face& face, std::size_t number, const Division& division, const MetricField& metric,
-                        const Criteria& criteria, Visitor& visitor, Mesh& mesh, Parametric_surface_mesh_report& report)
+// The oracles of the faces of a model.
+template <class Surface, class MetricField>
+std::vector<Parametric_surface_oracle_3<Surface, MetricField>>
+make_oracles(const Parametric_surface_model_3<Surface>& model, const MetricField& metric)
 {
-  const std::size_t first = mesh.faces.size();
-  try {
-    mesh_divided_patch(face.surface, metric, criteria, division.boundary_loops(face, mesh), visitor, mesh, report);
+  std::vector<Parametric_surface_oracle_3<Surface, MetricField>> result;
+  for(const auto& face : model.faces()) {
+    std::vector<typename Surface::Geom_traits::Point_3> singular_points;
+    for(const auto& loop : face.loops)
+      for(const auto& use : loop)
+        if(model.edges()[use.edge].is_collapsed)
+          singular_points.push_back(model.vertices()[model.edges()[use.edge].source]);
+    result.emplace_back(face.surface, metric, std::move(singular_points));
   }
-  catch(const Parametric_surface_mesh_error& error) {
-    throw Parametric_surface_mesh_error("face " + std::to_string(number) + ": " + error.what());
-  }
-  if(face.is_reversed)
-    for(std::size_t i = first; i < mesh.faces.size(); ++i)
-      std::swap(mesh.faces[i][1], mesh.faces[i][2]);
+  return result;
 }
 
 } // namespace internal

@@ -4,7 +4,6 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MESH_DIVIDED_PATCH_H
 
 #include <CGAL/Parametric_surface_mesh_report.h>
-#include <CGAL/Parametric_surface_oracle_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
@@ -13,9 +12,6 @@
 #include <CGAL/Parametric_surface_mesher/internal/triangulate_boundary.h>
 
 #include <CGAL/Timer.h>
-
-#include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -42,31 +38,17 @@ Unmet_cause cause_off_boundary(const Refinement& refinement)
   return refinement.is_full() ? Unmet_cause::VERTEX_LIMIT : Unmet_cause::MINIMUM_EDGE;
 }
 
-// The images of collapsed sides: consecutive boundary vertices with the same index.
-template <class Kernel>
-std::vector<typename Kernel::Point_3> singular_points(const Boundary_loops<Kernel>& loops)
-{
-  std::vector<typename Kernel::Point_3> result;
-  for(const auto& loop : loops)
-    for(std::size_t i = 0; i < loop.size(); ++i)
-      if(loop[i].index == loop[(i + 1) % loop.size()].index)
-        result.push_back(loop[i].surface_point);
-  return result;
-}
-
 // From the divided boundary of a patch to its triangles, which are appended to `mesh`: triangulation, refinement, output.
 // \pre the boundary vertices are in `mesh` already
-template <class Surface, class MetricField, class Criteria, class Visitor>
-void mesh_divided_patch(const Surface& surface, const MetricField& metric, const Criteria& criteria,
-                        const Boundary_loops<typename Surface::Geom_traits>& loops, Visitor& visitor,
-                        Indexed_mesh<typename Surface::Geom_traits>& mesh, Parametric_surface_mesh_report& report)
+template <class Oracle, class Criteria, class Visitor>
+void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
+                        const Boundary_loops<typename Oracle::Geom_traits>& loops, Visitor& visitor,
+                        Indexed_mesh<typename Oracle::Geom_traits>& mesh, Parametric_surface_mesh_report& report)
 {
-  typedef typename Surface::Geom_traits Kernel;
-  typedef Parametric_surface_oracle_3<Surface, MetricField> Oracle;
+  typedef typename Oracle::Geom_traits Kernel;
   typedef Patch_evaluator<Oracle> Evaluator;
   typedef Patch_refinement<Evaluator, Criteria, Visitor> Refinement;
 
-  const Oracle oracle(surface, metric, singular_points(loops));
   const Evaluator evaluator(oracle, criteria);
   Patch_triangulation_2<Kernel> triangulation;
   {

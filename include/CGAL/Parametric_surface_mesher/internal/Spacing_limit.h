@@ -1,0 +1,108 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SPACING_LIMIT_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SPACING_LIMIT_H
+
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/describe.h>
+#include <CGAL/Surface_curvature_3.h>
+#include <CGAL/Surface_jet_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The largest spacing that a patch allows at a point: by the maximum edge, the curvature and the user's sizing field.
+template <class Oracle>
+class Spacing_limit
+{
+  typedef typename Oracle::Geom_traits Kernel;
+  typedef typename Kernel::Point_2 Point_2;
+  typedef typename Kernel::Vector_3 Vector_3;
+
+  const Oracle& m_oracle;
+  const Parametric_surface_mesh_criteria& m_criteria;
+
+public:
+  Spacing_limit(const Oracle& oracle, const Parametric_surface_mesh_criteria& criteria)
+    : m_oracle(oracle), m_criteria(criteria)
+  {}
+
+  // A chord of length L has deviation ratio H/L = L kappa / 8 and arc height L^2 kappa / 8. The factor 7 in place of 8 leaves
+  // room for edges longer than the spacing; measured on a steep peak, it saves most of the splits by deviation.
+  double operator()(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
+  {
+    const double limit = limit_by_curvature(Surface_curvature_3<Kernel>(jet).max_absolute_curvature());
+    // around a singular point the lines bend however small the edges are, and the oracle does not count that
+    if(m_oracle.is_near_singular_point(jet.point, limit / (6 * m_criteria.gamma())))
+      return limit_by_user(uv, limit);
+    return limit_by_user(uv, (std::min)(limit, limit_by_curvature(largest_line_curvature(jet))));
+  }
+
+  double operator()(const Point_2& uv) const { return (*this)(uv, m_oracle.surface().jet(uv.x(), uv.y())); }
+
+private:
+  double limit_by_curvature(double curvature) const
+  {
+    double limit = m_criteria.max_edge();
+    if(curvature * limit > 7 * m_criteria.gamma())
+      limit = 7 * m_criteria.gamma() / curvature;
+    if(m_criteria.distance() > 0 && curvature * limit * limit > 7 * m_criteria.distance())
+      limit = std::sqrt(7 * m_criteria.distance() / curvature);
+    return limit;
+  }
+
+  double limit_by_user(const Point_2& uv, double limit) const
+  {
+    if(m_criteria.sizing_field())
+      limit = (std::min)(limit, wanted_size(uv));
+    return (std::max)(limit, m_criteria.min_edge());
+  }
+
+  // The largest curvature in space of the images of straight domain lines, sampled in four directions of the tangent
+  // plane. It bounds the deviation of edges better than the normal curvature does: on a steep flank the images of straight
+  // lines bend within the surface.
+  static double largest_line_curvature(const Surface_jet_3<Kernel>& jet)
+  {
+    const double e = jet.du * jet.du, f = jet.du * jet.dv, g = jet.dv * jet.dv;
+    const double area = e * g - f * f; // squared
+    if(!(area > 1e-14 * e * g))
+      return 0;
+    // an orthonormal frame: S_u scaled, and the domain direction (a, b) across it
+    const double b = std::sqrt(e / area), a = -f / e * b;
+    const Vector_3 x = jet.du / std::sqrt(e), y = a * jet.du + b * jet.dv;
+    const Vector_3 xx = jet.duu / e, xy = (a * jet.duu + b * jet.duv) / std::sqrt(e),
+                   yy = a * a * jet.duu + 2 * a * b * jet.duv + b * b * jet.dvv;
+    const Vector_3 diagonal = 0.5 * (xx + yy);
+    return std::sqrt((std::max)({squared_part_across(xx, x), squared_part_across(yy, y),
+                                 squared_part_across(diagonal + xy, 0.7071067811865476 * (x + y)),
+                                 squared_part_across(diagonal - xy, 0.7071067811865476 * (x - y))}));
+  }
+
+  // the squared length of the part of `w` perpendicular to the unit vector `t`
+  static double squared_part_across(const Vector_3& w, const Vector_3& t)
+  {
+    const double along = w * t;
+    return w * w - along * along;
+  }
+
+  double wanted_size(const Point_2& uv) const
+  {
+    const double size = m_criteria.sizing_field()(uv.x(), uv.y());
+    if(!(size > 0))
+      throw Parametric_surface_mesh_error("the sizing field is not positive at (u,v) = " + describe(uv) + ": "
+                                          + std::to_string(size));
+    return size;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SPACING_LIMIT_H
