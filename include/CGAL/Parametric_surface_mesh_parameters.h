@@ -12,6 +12,7 @@ namespace internal {
 
 // tags of the named parameters that are not CGAL's
 enum Vertex_uv_map_t { vertex_uv_map_tag };
+enum Halfedge_uv_map_t { halfedge_uv_map_tag };
 enum Face_patch_id_map_t { face_patch_id_map_tag };
 enum Metric_field_t { metric_field_tag };
 
@@ -47,6 +48,20 @@ auto vertex_uv_map(const VertexUvMap& map, const Others&... others)
 {
   return Parametric_surface_mesher::internal::named_parameter<
     Parametric_surface_mesher::internal::Vertex_uv_map_t>(map, others...);
+}
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+the named parameter for the property map that takes, for each halfedge that is not on the border, the domain point of its target in the domain of
+the patch that its face lies on: a model of `WritablePropertyMap` with value type `Kernel::Point_2`. A vertex on several
+patches has a domain point on each. See `vertex_uv_map()` on how to combine it.
+*/
+template <class HalfedgeUvMap, class... Others>
+auto halfedge_uv_map(const HalfedgeUvMap& map, const Others&... others)
+{
+  return Parametric_surface_mesher::internal::named_parameter<
+    Parametric_surface_mesher::internal::Halfedge_uv_map_t>(map, others...);
 }
 
 /*!

@@ -24,7 +24,6 @@
 #include <cstddef>
 #include <functional>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 
@@ -48,21 +47,32 @@ struct Ignoring_property_map
   friend void put(const Ignoring_property_map&, const Key&, const Value&) {}
 };
 
+template <class NamedParameters>
+constexpr bool wants_corner_points()
+{
+  return !parameters::is_default_parameter<NamedParameters, Halfedge_uv_map_t>::value;
+}
+
 // Hands a finished mesh to the user's data structure.
 template <class Kernel, class TriangleMesh, class NamedParameters>
-void output(const Indexed_mesh<Kernel>& mesh, const std::vector<std::size_t>& patches, TriangleMesh& tm,
-            const NamedParameters& np)
+void output(const Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  add_to_face_graph(mesh, patches, tm,
-                    choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tm)),
-                    choose_parameter(get_parameter(np, Vertex_uv_map_t()),
-                                     Ignoring_property_map<typename Graph_traits::vertex_descriptor,
-                                                           typename Kernel::Point_2>()),
-                    choose_parameter(get_parameter(np, Face_patch_id_map_t()),
-                                     Ignoring_property_map<typename Graph_traits::face_descriptor, std::size_t>()));
+  typedef typename Kernel::Point_2 Point_2;
+  const auto vertex_point_map
+    = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tm));
+  const auto vertex_uv_map
+    = choose_parameter(get_parameter(np, Vertex_uv_map_t()),
+                       Ignoring_property_map<typename Graph_traits::vertex_descriptor, Point_2>());
+  const auto halfedge_uv_map
+    = choose_parameter(get_parameter(np, Halfedge_uv_map_t()),
+                       Ignoring_property_map<typename Graph_traits::halfedge_descriptor, Point_2>());
+  const auto face_patch_id_map
+    = choose_parameter(get_parameter(np, Face_patch_id_map_t()),
+                       Ignoring_property_map<typename Graph_traits::face_descriptor, std::size_t>());
+  add_to_face_graph(mesh, tm, make_output_maps(vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map));
 }
 
 inline void complete(Parametric_surface_mesh_report& report, std::size_t number_of_vertices, std::size_t number_of_faces)
@@ -109,6 +119,12 @@ If the input is refused nothing is added to `tm`.
                    as key type and `%Point_2` as value type}
     \cgalParamDefault{none}
   \cgalParamNEnd
+  \cgalParamNBegin{halfedge_uv_map}
+    \cgalParamDescription{a property map that takes the domain point of the target of each halfedge, in the domain of its face's patch}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`
+                   as key type and `%Point_2` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{metric_field}
     \cgalParamDescription{the metric field that decides which triangles are well shaped}
     \cgalParamType{a model of `ParametricSurfaceMetricField_2`}
@@ -147,6 +163,7 @@ make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<t
   Parametric_domain_2<Kernel> closed_domain = domain;
   Criteria sized_criteria = criteria;
   Indexed_mesh<Kernel> mesh;
+  mesh.keeps_corner_points = wants_corner_points<NamedParameters>();
   Boundary_loops<Kernel> loops;
   visitor.on_phase("division");
   close_loops(closed_domain);
@@ -160,7 +177,8 @@ make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<t
   mesh_divided_patch(oracle, sized_criteria, loops, visitor, mesh, report);
   Phase_timer timer(report.seconds.output);
   visitor.on_phase("output");
-  output(mesh, std::vector<std::size_t>(mesh.faces.size(), 0), tm, np);
+  mesh.patches.resize(mesh.faces.size(), 0);
+  output(mesh, tm, np);
   complete(report, mesh.points.size(), mesh.faces.size());
   return report;
 }
@@ -205,6 +223,7 @@ make_parametric_surface_mesh(const Parametric_surface_model_3<Surface>& model, c
   Criteria sized_criteria = criteria;
   set_default_sizes(sized_criteria, model_diagonal(model));
   Indexed_mesh<Kernel> mesh;
+  mesh.keeps_corner_points = wants_corner_points<NamedParameters>();
   const auto oracles = make_oracles(model, metric);
   visitor.on_phase("division");
   Timer division_timer;
@@ -213,14 +232,11 @@ make_parametric_surface_mesh(const Parametric_surface_model_3<Surface>& model, c
   report.seconds.division = division_timer.time();
   report.number_of_boundary_edges = division.number_of_edges();
 
-  std::vector<std::size_t> patches;
-  for(std::size_t f = 0; f < model.faces().size(); ++f) {
+  for(std::size_t f = 0; f < model.faces().size(); ++f)
     mesh_face_of_model(model.faces()[f], f, oracles[f], division, sized_criteria, visitor, mesh, report);
-    patches.resize(mesh.faces.size(), f);
-  }
   Phase_timer timer(report.seconds.output);
   visitor.on_phase("output");
-  output(mesh, patches, tm, np);
+  output(mesh, tm, np);
   complete(report, mesh.points.size(), mesh.faces.size());
   return report;
 }

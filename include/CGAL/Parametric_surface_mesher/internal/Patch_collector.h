@@ -49,6 +49,9 @@ public:
       }
       note(face, cause_off_boundary);
       m_mesh.faces.push_back({face->vertex(0)->index(), face->vertex(1)->index(), face->vertex(2)->index()});
+      if(m_mesh.keeps_corner_points)
+        m_mesh.corner_points.push_back({face->vertex(0)->point().domain_point(), face->vertex(1)->point().domain_point(),
+                                        face->vertex(2)->point().domain_point()});
     }
     m_report.smallest_angle = (std::min)(m_report.smallest_angle, degrees(m_squared_sine));
     m_report.smallest_angle_off_boundary

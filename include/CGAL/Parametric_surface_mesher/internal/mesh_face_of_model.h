@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -29,8 +28,8 @@ void mesh_face_of_model(const Face& face, std::size_t number, const Oracle& orac
     throw Parametric_surface_mesh_error("face " + std::to_string(number) + ": " + error.what());
   }
   if(face.is_reversed)
-    for(std::size_t i = first; i < mesh.faces.size(); ++i)
-      std::swap(mesh.faces[i][1], mesh.faces[i][2]);
+    mesh.reverse_faces(first);
+  mesh.patches.resize(mesh.faces.size(), number);
 }
 
 } // namespace internal

@@ -167,7 +167,7 @@ private:
                      const std::unordered_map<Face_handle, int>& levels) const
   {
     Face_handle face;
-    int i;
+    int i = 0;
     m_triangulation.is_edge(a, b, face, i);
     const int level = (std::min)(levels.at(face), levels.at(face->neighbor(i)));
     if(l == 0 && level != 0)
