@@ -15,10 +15,11 @@ namespace CGAL {
 /// why a triangle fails a criterion in the end.
 enum class Unmet_cause
 {
-  BOUNDARY,     ///< boundary-limited: it touches the boundary, which is never changed, and there is no better point
-  MINIMUM_EDGE, ///< a point that helps would make an edge too short
-  VERTEX_LIMIT, ///< the maximum number of vertices was reached
-  STOPPED       ///< the visitor stopped the refinement
+  BOUNDARY,        ///< boundary-limited: it touches the boundary, which is never changed, and there is no better point
+  MINIMUM_EDGE,    ///< a point that helps would make an edge too short
+  NO_BETTER_POINT, ///< none of the positions tried was acceptable, for another reason than these
+  VERTEX_LIMIT,    ///< the maximum number of vertices was reached
+  STOPPED          ///< the visitor stopped the refinement
 };
 
 /*!

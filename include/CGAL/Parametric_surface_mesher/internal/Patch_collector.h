@@ -18,26 +18,26 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // Appends the triangles of a refined patch to a mesh that already holds its boundary vertices, and notes in the report
-// what each of them fails. `cause_off_boundary` is why a triangle away from the boundary can be bad.
-template <class Kernel, class IsBad>
+// what each of them fails.
+template <class Kernel>
 class Patch_collector
 {
   typedef Patch_triangulation_2<Kernel> Triangulation;
   typedef typename Triangulation::Face_handle Face_handle;
 
   Triangulation& m_triangulation;
-  const IsBad& m_is_bad;
   Indexed_mesh<Kernel>& m_mesh;
   Parametric_surface_mesh_report& m_report;
   double m_squared_sine = 1, m_squared_sine_off_boundary = 1; // of the smallest angles
 
 public:
-  Patch_collector(Triangulation& triangulation, const IsBad& is_bad, Indexed_mesh<Kernel>& mesh,
-                  Parametric_surface_mesh_report& report)
-    : m_triangulation(triangulation), m_is_bad(is_bad), m_mesh(mesh), m_report(report)
+  Patch_collector(Triangulation& triangulation, Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report)
+    : m_triangulation(triangulation), m_mesh(mesh), m_report(report)
   {}
 
-  void operator()(Unmet_cause cause_off_boundary)
+  // `refinement` tells which faces are bad and why they were left
+  template <class Refinement>
+  void operator()(const Refinement& refinement)
   {
     append_vertices();
     for(Face_handle face : m_triangulation.finite_face_handles()) {
@@ -47,11 +47,8 @@ public:
         ++m_report.number_of_collapsed_faces;
         continue;
       }
-      note(face, cause_off_boundary);
-      m_mesh.faces.push_back({face->vertex(0)->index(), face->vertex(1)->index(), face->vertex(2)->index()});
-      if(m_mesh.keeps_corner_points)
-        m_mesh.corner_points.push_back({face->vertex(0)->point().domain_point(), face->vertex(1)->point().domain_point(),
-                                        face->vertex(2)->point().domain_point()});
+      note(face, refinement);
+      append(face);
     }
     m_report.smallest_angle = (std::min)(m_report.smallest_angle, degrees(m_squared_sine));
     m_report.smallest_angle_off_boundary
@@ -70,22 +67,29 @@ private:
     }
   }
 
-  void note(Face_handle face, Unmet_cause cause_off_boundary)
+  void append(Face_handle face)
   {
-    typename IsBad::Quality quality;
-    const bool touches_boundary = face->vertex(0)->is_on_boundary() || face->vertex(1)->is_on_boundary()
-                                  || face->vertex(2)->is_on_boundary();
-    // only what the refinement left cannot be good
-    const bool is_bad = face->state() != Face_state::GOOD && m_is_bad(face, quality) != Mesh_2::NOT_BAD;
-    if(is_bad) {
-      const bool is_interrupted = cause_off_boundary != Unmet_cause::MINIMUM_EDGE;
-      const Unmet_cause cause = touches_boundary && !is_interrupted ? Unmet_cause::BOUNDARY : cause_off_boundary;
-      m_report.unmet.push_back({m_mesh.faces.size(), quality.criterion, cause});
-    }
+    const auto v = face->vertex(0), w = face->vertex(1), x = face->vertex(2);
+    m_mesh.faces.push_back({v->index(), w->index(), x->index()});
+    if(m_mesh.keeps_corner_points)
+      m_mesh.corner_points.push_back(
+        {v->point().domain_point(), w->point().domain_point(), x->point().domain_point()});
+  }
+
+  template <class Refinement>
+  void note(Face_handle face, const Refinement& refinement)
+  {
     const double squared_sine = squared_smallest_sine_in_space(face);
     m_squared_sine = (std::min)(m_squared_sine, squared_sine);
-    if(!(is_bad && touches_boundary))
-      m_squared_sine_off_boundary = (std::min)(m_squared_sine_off_boundary, squared_sine);
+    // only what the refinement left cannot be good
+    typename Refinement::Quality quality;
+    if(face->state() != Face_state::GOOD && refinement.is_bad()(face, quality) != Mesh_2::NOT_BAD) {
+      const Unmet_cause cause = refinement.cause(face);
+      m_report.unmet.push_back({m_mesh.faces.size(), quality.criterion, cause});
+      if(cause == Unmet_cause::BOUNDARY)
+        return;
+    }
+    m_squared_sine_off_boundary = (std::min)(m_squared_sine_off_boundary, squared_sine);
   }
 
   static double squared_smallest_sine_in_space(Face_handle face)

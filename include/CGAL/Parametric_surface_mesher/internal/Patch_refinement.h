@@ -4,6 +4,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_REFINEMENT_H
 
 #include <CGAL/Mesh_2/Face_badness.h>
+#include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/Bad_face_queue.h>
 #include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
@@ -30,6 +31,7 @@ class Patch_refinement
 {
 public:
   typedef decltype(std::declval<const Criteria&>().is_bad_object(std::declval<const Evaluator&>().oracle())) Is_bad;
+  typedef typename Criteria::Quality Quality;
 
 private:
   typedef typename Evaluator::Kernel Kernel;
@@ -39,7 +41,6 @@ private:
   typedef typename Kernel::Point_2 Point_2;
   typedef typename Evaluator::Evaluated Evaluated;
   typedef internal::Location<Triangulation> Location;
-  typedef typename Criteria::Quality Quality;
 
   // a position that has been looked at
   struct Candidate
@@ -84,11 +85,27 @@ public:
   }
 
   const Is_bad& is_bad() const { return m_is_bad; }
-  bool is_stopped() const { return m_is_stopped; }
-  bool is_full() const { return m_triangulation.number_of_vertices() >= m_criteria.max_number_of_vertices(); }
+
+  // why a bad face was left
+  Unmet_cause cause(Face_handle face) const
+  {
+    if(m_is_stopped)
+      return Unmet_cause::STOPPED;
+    if(is_full())
+      return Unmet_cause::VERTEX_LIMIT;
+    for(int i = 0; i < 3; ++i)
+      if(face->vertex(i)->is_on_boundary())
+        return Unmet_cause::BOUNDARY;
+    return required_squared_distance(face_measures(face, m_evaluate.oracle().metric())) <= m_squared_min_distance
+             ? Unmet_cause::MINIMUM_EDGE
+             : Unmet_cause::NO_BETTER_POINT;
+  }
+
   std::size_t number_of_replaced_tensors() const { return m_number_of_replaced_tensors; }
 
 private:
+  bool is_full() const { return m_triangulation.number_of_vertices() >= m_criteria.max_number_of_vertices(); }
+
   void report_progress()
   {
     m_visitor.on_progress(m_triangulation.number_of_vertices(), m_queue.size());
@@ -118,10 +135,7 @@ private:
   bool insert_for(Face_handle face)
   {
     const Face_measures measures = face_measures(face, m_evaluate.oracle().metric());
-    const double shortest = *std::min_element(measures.squared_lengths.begin(), measures.squared_lengths.end());
-    // a large equilateral triangle has its centre closer than 0.7 of its edges
-    const double squared_distance
-      = (std::max)(m_squared_min_distance, 0.49 * (std::min)(shortest, measures.squared_circumradius));
+    const double squared_distance = required_squared_distance(measures);
     const Point_2 center = Point_placement<Kernel>::circumcenter(face, measures);
     Candidate candidate;
     m_positions.clear();
@@ -135,6 +149,15 @@ private:
       return insert_alternative(face, measures, squared_distance);
     append_apices(candidate.location);
     return insert_alternative(face, measures, squared_distance);
+  }
+
+  // How far from other vertices a point for a bad face must be: 0.7 of its shortest edge (measured against the spacing of its
+  // vertices instead, up to 2 % of the triangles of a steep peak stay below 30 degrees), or of its circumradius, since a large
+  // equilateral triangle has its centre closer than its vertices are to each other.
+  double required_squared_distance(const Face_measures& measures) const
+  {
+    const double shortest = *std::min_element(measures.squared_lengths.begin(), measures.squared_lengths.end());
+    return (std::max)(m_squared_min_distance, 0.49 * (std::min)(shortest, measures.squared_circumradius));
   }
 
   // The position is in the domain, and no closer to a vertex of the face that holds it than the distance.

@@ -33,21 +33,30 @@ public:
     : m_oracle(oracle), m_criteria(criteria)
   {}
 
-  // A chord of length L has deviation ratio H/L = L kappa / 8 and arc height L^2 kappa / 8. The factor 7 in place of 8 leaves
-  // room for edges longer than the spacing; measured on a steep peak, it saves most of the splits by deviation.
   double operator()(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
   {
-    const double limit = limit_by_curvature(Surface_curvature_3<Kernel>(jet).max_absolute_curvature());
-    // around a singular point the lines bend however small the edges are, and the oracle does not count that
-    if(m_oracle.is_near_singular_point(jet.point, limit / (6 * m_criteria.gamma())))
-      return limit_by_user(uv, limit);
-    return limit_by_user(uv, (std::min)(limit, limit_by_curvature(largest_line_curvature(jet))));
+    double limit = by_curvature(jet);
+    if(m_criteria.sizing_field())
+      limit = (std::min)(limit, wanted_size(uv));
+    return (std::max)(limit, m_criteria.min_edge());
   }
 
   double operator()(const Point_2& uv) const { return (*this)(uv, m_oracle.surface().jet(uv.x(), uv.y())); }
 
+  // without the sizing field
+  double by_curvature(const Surface_jet_3<Kernel>& jet) const
+  {
+    const double limit = limit_for(Surface_curvature_3<Kernel>(jet).max_absolute_curvature());
+    // around a singular point the lines bend however small the edges are, and the oracle does not count that
+    if(m_oracle.is_near_singular_point(jet.point, limit / (6 * m_criteria.gamma())))
+      return limit;
+    return (std::min)(limit, limit_for(largest_line_curvature(jet)));
+  }
+
 private:
-  double limit_by_curvature(double curvature) const
+  // A chord of length L has deviation ratio H/L = L kappa / 8 and arc height L^2 kappa / 8. The factor 7 in place of 8 leaves
+  // room for edges longer than the spacing; measured on a steep peak, it saves most of the splits by deviation.
+  double limit_for(double curvature) const
   {
     double limit = m_criteria.max_edge();
     if(curvature * limit > 7 * m_criteria.gamma())
@@ -55,13 +64,6 @@ private:
     if(m_criteria.distance() > 0 && curvature * limit * limit > 7 * m_criteria.distance())
       limit = std::sqrt(7 * m_criteria.distance() / curvature);
     return limit;
-  }
-
-  double limit_by_user(const Point_2& uv, double limit) const
-  {
-    if(m_criteria.sizing_field())
-      limit = (std::min)(limit, wanted_size(uv));
-    return (std::max)(limit, m_criteria.min_edge());
   }
 
   // The largest curvature in space of the images of straight domain lines, sampled in four directions of the tangent

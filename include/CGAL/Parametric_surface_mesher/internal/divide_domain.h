@@ -9,7 +9,7 @@
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
-#include <CGAL/Parametric_surface_mesher/internal/Spacing_limit.h>
+#include <CGAL/Parametric_surface_mesher/internal/Boundary_size.h>
 #include <CGAL/divide_curve.h>
 
 #include <algorithm>
@@ -134,10 +134,16 @@ divide_domain(const Oracle& oracle, const Parametric_domain_2<typename Oracle::G
               const Parametric_surface_mesh_criteria& criteria)
 {
   typedef Curve_on_surface_3<typename Oracle::Surface> Curve_on_surface;
-  const Spacing_limit<Oracle> spacing_limit(oracle, criteria);
+  const auto identity = [](const auto& curve) -> const auto& { return curve; };
+  const Boundary_size<Oracle> size(oracle, criteria, domain_box(domain.loops(), identity));
   Boundary_loops<typename Oracle::Geom_traits> result;
   std::size_t index = 0;
   for(const auto& loop : domain.loops()) {
+    const bool is_outer = result.empty();
+    double double_area = 0;
+    for(const auto& curve : loop)
+      double_area += double_area_seen_from(loop.front().source(), curve);
+    const bool is_domain_left = (double_area > 0) == is_outer;
     const std::size_t min_number_of_edges = loop.size() == 1 ? 3 : loop.size() == 2 ? 2 : 1;
     result.emplace_back();
     for(const auto& curve : loop) {
@@ -145,7 +151,7 @@ divide_domain(const Oracle& oracle, const Parametric_domain_2<typename Oracle::G
       const bool is_point = is_collapsed(oracle.surface(), curve, criteria);
       const std::vector<double> parameters
         = is_point ? std::vector<double>{curve.begin(), curve.end()}
-                   : divide_curve(curve_on_surface, criteria, [&](double t) { return spacing_limit(curve.point(t)); },
+                   : divide_curve(curve_on_surface, criteria, [&](double t) { return size(curve, t, is_domain_left); },
                                   min_number_of_edges, curve.number_of_edges());
       // the last point is the first one of the next curve
       for(std::size_t i = 0; i + 1 < parameters.size(); ++i)

@@ -7,7 +7,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/divide_domain.h>
-#include <CGAL/Parametric_surface_mesher/internal/Spacing_limit.h>
+#include <CGAL/Parametric_surface_mesher/internal/Boundary_size.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Parametric_surface_oracle_3.h>
 #include <CGAL/divide_curve.h>
@@ -35,6 +35,7 @@ class Model_division
   {
     std::size_t face;
     const Edge_use* use;
+    bool is_domain_left; // of the edge's curve
   };
 
   struct Division
@@ -47,6 +48,7 @@ class Model_division
   const Model& m_model;
   const std::vector<Oracle>& m_oracles; // of the faces
   const Parametric_surface_mesh_criteria& m_criteria;
+  std::vector<Boundary_size<Oracle>> m_sizes; // of the faces
   std::vector<Division> m_divisions;
 
 public:
@@ -57,12 +59,7 @@ public:
     mesh.points = model.vertices();
     std::vector<std::size_t> order; // of first use
     for(std::size_t f = 0; f < model.faces().size(); ++f)
-      for(const auto& loop : model.faces()[f].loops)
-        for(const Edge_use& use : loop) {
-          if(m_divisions[use.edge].uses.empty())
-            order.push_back(use.edge);
-          m_divisions[use.edge].uses.push_back({f, &use});
-        }
+      collect_uses(f, order);
     for(std::size_t edge : order)
       divide(edge, mesh);
     mesh.domain_points.resize(mesh.points.size());
@@ -90,6 +87,24 @@ public:
   }
 
 private:
+  void collect_uses(std::size_t face, std::vector<std::size_t>& order)
+  {
+    const auto& loops = m_model.faces()[face].loops;
+    const auto curve = [](const Edge_use& use) -> const auto& { return use.curve; };
+    m_sizes.emplace_back(m_oracles[face], m_criteria, domain_box(loops, curve));
+    for(std::size_t l = 0; l < loops.size(); ++l) {
+      double double_area = 0;
+      for(const Edge_use& use : loops[l])
+        double_area += (use.is_reversed ? -1 : 1) * double_area_seen_from(loops[l].front().curve.source(), use.curve);
+      const bool is_loop_left = (double_area > 0) == (l == 0);
+      for(const Edge_use& use : loops[l]) {
+        if(m_divisions[use.edge].uses.empty())
+          order.push_back(use.edge);
+        m_divisions[use.edge].uses.push_back({face, &use, is_loop_left != use.is_reversed});
+      }
+    }
+  }
+
   void divide(std::size_t number, Indexed_mesh<Kernel>& mesh)
   {
     Division& division = m_divisions[number];
@@ -110,7 +125,7 @@ private:
   {
     double limit = m_criteria.max_edge();
     for(const Use& use : division.uses)
-      limit = (std::min)(limit, Spacing_limit<Oracle>(m_oracles[use.face], m_criteria)(use.use->curve.point(t)));
+      limit = (std::min)(limit, m_sizes[use.face](use.use->curve, t, use.is_domain_left));
     return limit;
   }
 

@@ -30,14 +30,6 @@ public:
   Phase_timer& operator=(const Phase_timer&) = delete;
 };
 
-template <class Refinement>
-Unmet_cause cause_off_boundary(const Refinement& refinement)
-{
-  if(refinement.is_stopped())
-    return Unmet_cause::STOPPED;
-  return refinement.is_full() ? Unmet_cause::VERTEX_LIMIT : Unmet_cause::MINIMUM_EDGE;
-}
-
 // From the divided boundary of a patch to its triangles, which are appended to `mesh`: triangulation, refinement, output.
 // \pre the boundary vertices are in `mesh` already
 template <class Oracle, class Criteria, class Visitor>
@@ -68,8 +60,8 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
     report.number_of_replaced_tensors += refine.number_of_replaced_tensors();
   }
   Phase_timer timer(report.seconds.output);
-  Patch_collector<Kernel, typename Refinement::Is_bad> collect(triangulation, refine.is_bad(), mesh, report);
-  collect(cause_off_boundary(refine));
+  Patch_collector<Kernel> collect(triangulation, mesh, report);
+  collect(refine);
 }
 
 } // namespace internal
