@@ -200,8 +200,10 @@ private:
   {
     typedef typename Triangulation::Edge Edge;
     std::vector<Edge> stack;
-    for(const Edge& edge : m_triangulation.finite_edges())
-      stack.push_back(edge);
+    // by faces: the edge iterator's choice of a face for each edge depends on addresses
+    for(Face_handle face : m_triangulation.finite_face_handles())
+      for(int i = 0; i < 3; ++i)
+        stack.emplace_back(face, i);
     std::size_t flips_left = 20 * stack.size();
     while(!stack.empty() && flips_left > 0) {
       const Edge edge = stack.back();
