@@ -55,7 +55,7 @@ private:
   double m_max_edge = 0, m_min_edge = 0;
   double m_gamma = 0.05, m_angle = 30, m_distance = 0;
   double m_size_factor = 0.28;
-  std::size_t m_max_number_of_vertices = 50000000;
+  std::size_t m_max_number_of_vertices = 20000000;
   Curve_deviation m_curve_deviation = Curve_deviation::HEIGHT_OVER_CHORD;
   Sizing_field m_sizing_field;
 
@@ -133,7 +133,7 @@ public:
     return *this;
   }
 
-  /// the last guard against a mesh too large for the machine. Default: 50 million.
+  /// the last guard against a mesh too large for the machine. Default: 20 million.
   Parametric_surface_mesh_criteria& set_max_number_of_vertices(std::size_t n)
   {
     m_max_number_of_vertices = n;

@@ -155,6 +155,11 @@ private:
         finer.push_back(m_positions[i + 1]);
       }
       m_positions.swap(finer);
+      if(m_positions.size() > m_criteria.max_number_of_vertices())
+        throw Parametric_surface_mesh_error("a boundary curve is divided into more than the allowed number of "
+                                            + std::to_string(m_criteria.max_number_of_vertices())
+                                            + " vertices; a larger minimum edge length than "
+                                            + std::to_string(m_criteria.min_edge()) + " would help");
     }
   }
 
