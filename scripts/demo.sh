@@ -31,12 +31,15 @@ mesh() {
   results+=("$out/$name.json")
 }
 
-# Edge lengths for about 5000 triangles each.
-mesh teapot examples/Parametric_surface_mesher/data/teapot.bpt --max-edge 0.12
-mesh bend bend --max-edge 0.0304
+mesh teapot examples/Parametric_surface_mesher/data/teapot.bpt --max-edge 0.12 --gamma 0.1
+# edge lengths of 5000 triangles where curvature does not ask for more
+mesh fold bend --max-edge 0.0304
 mesh peak peak --max-edge 0.0455
 mesh hole hole --max-edge 0.0477
-mesh cap cap --max-edge 0.0320
+mesh uniform_curvature cap --max-edge 0.0320
+
+echo "== Drawing circumellipses in the domain of a coarse peak"
+"$programs/mesh_patch" peak --quiet --max-edge 0.15 --gamma 0.25 --uv-picture "$out/circumellipses.svg" --ellipses 70
 
 echo
 "$programs/print_results_table" "${results[@]}"

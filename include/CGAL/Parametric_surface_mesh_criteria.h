@@ -74,7 +74,8 @@ public:
     return *this;
   }
 
-  /// the length below which an edge is not divided for the sake of deviation or size. Default: 1/100 of `max_edge()`.
+  /// the length below which an edge is not divided for the sake of deviation or size. Default: 1/100 of `max_edge()`,
+  /// or of the default of that if it is smaller.
   /// \pre `length > 0`
   Parametric_surface_mesh_criteria& set_min_edge(double length)
   {

@@ -45,6 +45,9 @@ struct Parametric_surface_mesh_report
     double meshing() const { return division + triangulation + refinement + improvement + output; }
   };
 
+  double max_edge = 0; ///< the maximum edge length in effect
+  double min_edge = 0; ///< the minimum edge length in effect
+
   std::size_t number_of_vertices = 0;
   std::size_t number_of_faces = 0;
   std::size_t number_of_boundary_edges = 0; ///< of the division

@@ -14,6 +14,19 @@
 
 namespace CGAL {
 
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The middle of an edge in the domain. A surface in other coordinates than those of its domain has an overload.
+template <class Surface, class Point_2>
+Point_2 domain_middle(const Surface&, const Point_2& p, const Point_2& q)
+{
+  return Point_2(0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y()));
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+
 /*!
 \ingroup PkgParametricSurfaceMesherRef
 
@@ -56,6 +69,9 @@ public:
   /// the metric field.
   const MetricField& metric() const { return m_metric; }
 
+  /// the images of collapsed sides.
+  const std::vector<Point_3>& singular_points() const { return m_singular_points; }
+
   /// tells whether `p` is closer to a singular point than `distance`.
   bool is_near_singular_point(const Point_3& p, double distance) const
   {
@@ -71,13 +87,15 @@ public:
   template <class ParametricPoint>
   double squared_height(const ParametricPoint& p, const ParametricPoint& q, double gamma) const
   {
-    const double u = 0.5 * (p.x() + q.x()), v = 0.5 * (p.y() + q.y());
+    using Parametric_surface_mesher::internal::domain_middle;
+    typedef typename Geom_traits::Point_2 Point_2;
+    const Point_2 middle = domain_middle(m_surface, static_cast<const Point_2&>(p), static_cast<const Point_2&>(q));
     const Point_3 &a = p.surface_point(), &b = q.surface_point();
     const bool is_near = !m_singular_points.empty()
                          && is_near_singular_point(midpoint(a, b), std::sqrt(squared_distance(a, b)) / (6 * gamma));
     if(!is_near)
-      return vector_from_line(m_surface.point(u, v), a, b).squared_length();
-    const Surface_jet_3<Geom_traits> jet = m_surface.jet(u, v);
+      return vector_from_line(m_surface.point(middle.x(), middle.y()), a, b).squared_length();
+    const Surface_jet_3<Geom_traits> jet = m_surface.jet(middle.x(), middle.y());
     const Vector_3 normal = cross_product(jet.du, jet.dv), height = vector_from_line(jet.point, a, b);
     const double along = height * normal, length = normal.squared_length();
     return length > 0 ? along * along / length : height.squared_length();

@@ -7,6 +7,7 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/Arc_length.h>
+#include <CGAL/Parametric_surface_mesher/internal/describe.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <algorithm>
@@ -159,7 +160,7 @@ private:
         throw Parametric_surface_mesh_error("a boundary curve is divided into more than the allowed number of "
                                             + std::to_string(m_criteria.max_number_of_vertices())
                                             + " vertices; a larger minimum edge length than "
-                                            + std::to_string(m_criteria.min_edge()) + " would help");
+                                            + describe(m_criteria.min_edge()) + " would help");
     }
   }
 
@@ -229,7 +230,7 @@ std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_me
   const double rough_length = Arc_length(speed, curve.begin(), curve.end(), 4).length();
   const std::size_t table_size = std::size_t((std::min)((std::max)(rough_length / criteria.max_edge(), 16.), 1e5));
   const Arc_length arc_length(speed, curve.begin(), curve.end(), table_size);
-  if(!(arc_length.length() > 1e-9 * criteria.max_edge()))
+  if(!(arc_length.length() > 0))
     return {curve.begin(), curve.end()};
 
   Parametric_surface_mesher::internal::Curve_division<Curve, Arc_length, Size> division(curve, arc_length, size, criteria);
@@ -240,7 +241,7 @@ std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_me
   // the tolerance keeps a length of exactly n edges from becoming n + 1
   const double pieces = std::ceil(arc_length.length() / criteria.max_edge() * (1 - 1e-9));
   if(!(pieces <= double(criteria.max_number_of_vertices())))
-    throw Parametric_surface_mesh_error("the maximum edge length " + std::to_string(criteria.max_edge())
+    throw Parametric_surface_mesh_error("the maximum edge length " + Parametric_surface_mesher::internal::describe(criteria.max_edge())
                                         + " divides a boundary curve into more pieces than the allowed number of vertices");
   division.divide_equally((std::max)(std::size_t(pieces), min_number_of_edges));
   division.halve();

@@ -75,10 +75,21 @@ void output(const Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParam
   add_to_face_graph(mesh, tm, make_output_maps(vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map));
 }
 
-inline void complete(Parametric_surface_mesh_report& report, std::size_t number_of_vertices, std::size_t number_of_faces)
+template <class Criteria, class Mesh>
+void complete(Parametric_surface_mesh_report& report, const Criteria& criteria, const Mesh& mesh)
 {
-  report.number_of_vertices = number_of_vertices;
-  report.number_of_faces = number_of_faces;
+  report.max_edge = criteria.max_edge();
+  report.min_edge = criteria.min_edge();
+  report.number_of_vertices = mesh.points.size();
+  report.number_of_faces = mesh.faces.size();
+}
+
+// the result of `function`, its processor time added to `seconds`
+template <class Function>
+auto timed(double& seconds, Function function)
+{
+  Phase_timer timer(seconds);
+  return function();
 }
 
 } // namespace internal
@@ -167,11 +178,13 @@ make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<t
   Boundary_loops<Kernel> loops;
   visitor.on_phase("division");
   close_loops(closed_domain);
-  set_default_sizes(sized_criteria, boundary_diagonal(surface, closed_domain));
-  const auto oracle = make_parametric_surface_oracle(surface, metric, singular_points(surface, closed_domain, sized_criteria));
+  const double diagonal = boundary_diagonal(surface, closed_domain);
+  set_default_sizes(sized_criteria, diagonal);
+  const auto oracle
+    = make_parametric_surface_oracle(surface, metric, singular_points(surface, closed_domain, diagonal));
   {
     Phase_timer timer(report.seconds.division);
-    loops = divide_domain(oracle, closed_domain, sized_criteria);
+    loops = divide_domain(oracle, closed_domain, diagonal, sized_criteria);
     report.number_of_boundary_edges = append_boundary(loops, mesh);
   }
   mesh_divided_patch(oracle, sized_criteria, loops, visitor, mesh, report);
@@ -179,7 +192,7 @@ make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<t
   visitor.on_phase("output");
   mesh.patches.resize(mesh.faces.size(), 0);
   output(mesh, tm, np);
-  complete(report, mesh.points.size(), mesh.faces.size());
+  complete(report, sized_criteria, mesh);
   return report;
 }
 
@@ -226,10 +239,8 @@ make_parametric_surface_mesh(const Parametric_surface_model_3<Surface>& model, c
   mesh.keeps_corner_points = wants_corner_points<NamedParameters>();
   const auto oracles = make_oracles(model, metric);
   visitor.on_phase("division");
-  Timer division_timer;
-  division_timer.start();
-  const Model_division<typename decltype(oracles)::value_type> division(model, oracles, sized_criteria, mesh);
-  report.seconds.division = division_timer.time();
+  typedef Model_division<typename decltype(oracles)::value_type> Division;
+  const Division division = timed(report.seconds.division, [&] { return Division(model, oracles, sized_criteria, mesh); });
   report.number_of_boundary_edges = division.number_of_edges();
 
   for(std::size_t f = 0; f < model.faces().size(); ++f)
@@ -237,7 +248,7 @@ make_parametric_surface_mesh(const Parametric_surface_model_3<Surface>& model, c
   Phase_timer timer(report.seconds.output);
   visitor.on_phase("output");
   output(mesh, tm, np);
-  complete(report, mesh.points.size(), mesh.faces.size());
+  complete(report, sized_criteria, mesh);
   return report;
 }
 

@@ -75,7 +75,10 @@ public:
 private:
   double length_between(double t0, double t1) const
   {
-    return std::fabs(boost::math::quadrature::gauss_kronrod<double, 15>::integrate(m_speed, t0, t1, 12, 1e-9));
+    // over [0,1], as the quadrature's stopping test does not scale with the interval
+    const auto scaled_speed = [&](double x) { return m_speed(t0 + x * (t1 - t0)); };
+    return std::fabs(t1 - t0)
+           * boost::math::quadrature::gauss_kronrod<double, 15>::integrate(scaled_speed, 0., 1., 12, 1e-9);
   }
 };
 

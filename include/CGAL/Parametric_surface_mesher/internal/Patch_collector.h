@@ -8,6 +8,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Polar_chart_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,14 +26,18 @@ class Patch_collector
   typedef Patch_triangulation_2<Kernel> Triangulation;
   typedef typename Triangulation::Face_handle Face_handle;
 
+  typedef typename Kernel::Point_2 Point_2;
+
   Triangulation& m_triangulation;
+  const Polar_chart_2<Kernel>& m_chart;
   Indexed_mesh<Kernel>& m_mesh;
   Parametric_surface_mesh_report& m_report;
   double m_squared_sine = 1, m_squared_sine_off_boundary = 1; // of the smallest angles
 
 public:
-  Patch_collector(Triangulation& triangulation, Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report)
-    : m_triangulation(triangulation), m_mesh(mesh), m_report(report)
+  Patch_collector(Triangulation& triangulation, const Polar_chart_2<Kernel>& chart, Indexed_mesh<Kernel>& mesh,
+                  Parametric_surface_mesh_report& report)
+    : m_triangulation(triangulation), m_chart(chart), m_mesh(mesh), m_report(report)
   {}
 
   // `refinement` tells which faces are bad and why they were left
@@ -63,17 +68,26 @@ private:
         continue;
       vertex->set_index(m_mesh.points.size());
       m_mesh.points.push_back(vertex->point().surface_point());
-      m_mesh.domain_points.push_back(vertex->point().domain_point());
+      m_mesh.domain_points.push_back(m_chart.domain_point(vertex->point().domain_point()));
     }
   }
 
   void append(Face_handle face)
   {
-    const auto v = face->vertex(0), w = face->vertex(1), x = face->vertex(2);
-    m_mesh.faces.push_back({v->index(), w->index(), x->index()});
+    m_mesh.faces.push_back({face->vertex(0)->index(), face->vertex(1)->index(), face->vertex(2)->index()});
     if(m_mesh.keeps_corner_points)
-      m_mesh.corner_points.push_back(
-        {v->point().domain_point(), w->point().domain_point(), x->point().domain_point()});
+      m_mesh.corner_points.push_back({corner_point(face, 0), corner_point(face, 1), corner_point(face, 2)});
+  }
+
+  // A pole is a side of the domain; of that side a triangle gets the point in the middle of its other corners.
+  Point_2 corner_point(Face_handle face, int i) const
+  {
+    const Point_2& z = face->vertex(i)->point().domain_point();
+    const Point_2 uv = m_chart.domain_point(z);
+    if(!m_chart.is_pole(z))
+      return uv;
+    return m_chart.on_collapsed_side(uv, midpoint(m_chart.domain_point(face->vertex((i + 1) % 3)->point().domain_point()),
+                                                  m_chart.domain_point(face->vertex((i + 2) % 3)->point().domain_point())));
   }
 
   template <class Refinement>

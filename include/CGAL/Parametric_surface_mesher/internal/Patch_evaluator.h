@@ -67,7 +67,14 @@ private:
     const bool is_replaced = !is_well_conditioned(tensor);
     if(is_replaced)
       tensor = regularized(tensor);
-    return {Parametric_point_2<Kernel>(uv, surface_point, tensor), m_spacing_limit(uv, jet), is_replaced};
+    return {Parametric_point_2<Kernel>(uv, surface_point, tensor), spacing_limit(uv, jet), is_replaced};
+  }
+
+  // curvature limits the spacing by what the lines of the domain do, not those of a chart
+  double spacing_limit(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
+  {
+    return m_oracle.surface().chart().is_identity() ? m_spacing_limit(uv, jet)
+                                                    : m_spacing_limit(uv, m_oracle.surface().domain_jet(uv));
   }
 
   static void check_finite(const Point_2& uv, const Point_3& p, const Metric_tensor_2& m)

@@ -98,7 +98,7 @@ private:
     const double size = m_criteria.sizing_field()(uv.x(), uv.y());
     if(!(size > 0))
       throw Parametric_surface_mesh_error("the sizing field is not positive at (u,v) = " + describe(uv) + ": "
-                                          + std::to_string(size));
+                                          + describe(size));
     return size;
   }
 };

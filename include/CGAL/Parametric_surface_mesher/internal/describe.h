@@ -10,6 +10,14 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
+// A number for an error message, with the digits that matter.
+inline std::string describe(double x)
+{
+  std::ostringstream text;
+  text << x;
+  return text.str();
+}
+
 // A point of the domain for an error message, with all digits.
 template <class Point_2>
 std::string describe(const Point_2& p)

@@ -83,17 +83,15 @@ double boundary_diagonal(const Surface& surface, const Parametric_domain_2<typen
 // Fills in the sizes that the user left open.
 inline void set_default_sizes(Parametric_surface_mesh_criteria& criteria, double diagonal)
 {
-  if(!(criteria.max_edge() > 0)) {
-    if(!(diagonal > 0) || !std::isfinite(diagonal))
-      throw Parametric_surface_mesh_error("the surface is degenerate: its boundary is a point in space");
+  if(!(diagonal > 0) || !std::isfinite(diagonal))
+    throw Parametric_surface_mesh_error("the surface is degenerate: its boundary is a point in space");
+  if(!(criteria.max_edge() > 0))
     criteria.set_max_edge(diagonal / 20);
-  }
   if(!(criteria.min_edge() > 0))
-    criteria.set_min_edge(criteria.max_edge() / 100);
+    criteria.set_min_edge((std::min)(criteria.max_edge(), diagonal / 20) / 100);
   if(criteria.min_edge() > criteria.max_edge())
-    throw Parametric_surface_mesh_error("the minimum edge length " + std::to_string(criteria.min_edge())
-                                        + " is larger than the maximum edge length "
-                                        + std::to_string(criteria.max_edge()));
+    throw Parametric_surface_mesh_error("the minimum edge length " + describe(criteria.min_edge())
+                                        + " is larger than the maximum edge length " + describe(criteria.max_edge()));
 }
 
 // The side that closes a loop can be collapsed too: then the last point of the loop is its first one in space. `index` is
@@ -108,21 +106,21 @@ void merge_last_with_first(std::vector<Boundary_vertex<Kernel>>& loop, std::size
 // Whether a curve is a point in space.
 template <class Surface>
 bool is_collapsed(const Surface& surface, const Domain_curve_2<typename Surface::Geom_traits>& curve,
-                  const Parametric_surface_mesh_criteria& criteria)
+                  double boundary_diagonal)
 {
-  return diagonal(curve_box(surface, curve)) <= 1e-9 * criteria.max_edge();
+  return diagonal(curve_box(surface, curve)) <= 1e-9 * boundary_diagonal;
 }
 
 // The images of the collapsed sides of a domain.
 template <class Surface>
 std::vector<typename Surface::Geom_traits::Point_3>
 singular_points(const Surface& surface, const Parametric_domain_2<typename Surface::Geom_traits>& domain,
-                const Parametric_surface_mesh_criteria& criteria)
+                double boundary_diagonal)
 {
   std::vector<typename Surface::Geom_traits::Point_3> result;
   for(const auto& loop : domain.loops())
     for(const auto& curve : loop)
-      if(is_collapsed(surface, curve, criteria))
+      if(is_collapsed(surface, curve, boundary_diagonal))
         result.push_back(surface.point(curve.source().x(), curve.source().y()));
   return result;
 }
@@ -131,7 +129,7 @@ singular_points(const Surface& surface, const Parametric_domain_2<typename Surfa
 template <class Oracle>
 Boundary_loops<typename Oracle::Geom_traits>
 divide_domain(const Oracle& oracle, const Parametric_domain_2<typename Oracle::Geom_traits>& domain,
-              const Parametric_surface_mesh_criteria& criteria)
+              double boundary_diagonal, const Parametric_surface_mesh_criteria& criteria)
 {
   typedef Curve_on_surface_3<typename Oracle::Surface> Curve_on_surface;
   const auto identity = [](const auto& curve) -> const auto& { return curve; };
@@ -148,7 +146,7 @@ divide_domain(const Oracle& oracle, const Parametric_domain_2<typename Oracle::G
     result.emplace_back();
     for(const auto& curve : loop) {
       const Curve_on_surface curve_on_surface(oracle.surface(), curve);
-      const bool is_point = is_collapsed(oracle.surface(), curve, criteria);
+      const bool is_point = is_collapsed(oracle.surface(), curve, boundary_diagonal);
       const std::vector<double> parameters
         = is_point ? std::vector<double>{curve.begin(), curve.end()}
                    : divide_curve(curve_on_surface, criteria, [&](double t) { return size(curve, t, is_domain_left); },

@@ -4,14 +4,18 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MESH_DIVIDED_PATCH_H
 
 #include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_oracle_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Charted_surface_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_collector.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulate_boundary.h>
 
-#include <CGAL/Timer.h>
+#include <ctime>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -20,17 +24,31 @@ namespace internal {
 // Adds the processor time of its own life to a number of seconds.
 class Phase_timer
 {
-  Timer m_timer;
+  std::clock_t m_start;
   double& m_seconds;
 
 public:
-  explicit Phase_timer(double& seconds) : m_seconds(seconds) { m_timer.start(); }
-  ~Phase_timer() { m_seconds += m_timer.time(); }
+  explicit Phase_timer(double& seconds) : m_start(std::clock()), m_seconds(seconds) {}
+  ~Phase_timer() { m_seconds += double(std::clock() - m_start) / CLOCKS_PER_SEC; }
   Phase_timer(const Phase_timer&) = delete;
   Phase_timer& operator=(const Phase_timer&) = delete;
 };
 
+// The criteria as seen from a chart: the sizing field takes points of the domain.
+template <class Criteria, class Chart>
+Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
+{
+  Criteria result = criteria;
+  if(criteria.sizing_field() && !chart.is_identity())
+    result.set_sizing_field([field = criteria.sizing_field(), chart](double x, double y) {
+      const auto uv = chart.domain_point(typename Chart::Point_2(x, y));
+      return field(uv.x(), uv.y());
+    });
+  return result;
+}
+
 // From the divided boundary of a patch to its triangles, which are appended to `mesh`: triangulation, refinement, output.
+// A patch with poles is meshed in the coordinates of a chart.
 // \pre the boundary vertices are in `mesh` already
 template <class Oracle, class Criteria, class Visitor>
 void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
@@ -38,21 +56,27 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
                         Indexed_mesh<typename Oracle::Geom_traits>& mesh, Parametric_surface_mesh_report& report)
 {
   typedef typename Oracle::Geom_traits Kernel;
-  typedef Patch_evaluator<Oracle> Evaluator;
+  typedef Charted_surface_3<typename Oracle::Surface> Surface;
+  typedef Parametric_surface_oracle_3<Surface, typename Oracle::Metric_field> Charted_oracle;
+  typedef Patch_evaluator<Charted_oracle> Evaluator;
   typedef Patch_refinement<Evaluator, Criteria, Visitor> Refinement;
 
-  const Evaluator evaluator(oracle, criteria);
+  const Surface surface(oracle.surface(), find_chart(oracle.surface(), loops));
+  const Charted_oracle charted_oracle(surface, oracle.metric(), oracle.singular_points());
+  const Criteria charted_criteria = chart_criteria(criteria, surface.chart());
+  const Evaluator evaluator(charted_oracle, charted_criteria);
   Patch_triangulation_2<Kernel> triangulation;
   {
     Phase_timer timer(report.seconds.triangulation);
     visitor.on_phase("triangulation");
     Boundary_check<Kernel> check(loops);
     check();
-    Boundary_triangulator<Kernel> triangulate(triangulation, loops);
+    const Boundary_loops<Kernel> charted_loops = chart_loops(loops, surface.chart());
+    Boundary_triangulator<Kernel> triangulate(triangulation, charted_loops);
     triangulate(evaluator);
     report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
   }
-  Refinement refine(triangulation, evaluator, criteria, visitor);
+  Refinement refine(triangulation, evaluator, charted_criteria, visitor);
   {
     Phase_timer timer(report.seconds.refinement);
     visitor.on_phase("refinement");
@@ -60,7 +84,7 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
     report.number_of_replaced_tensors += refine.number_of_replaced_tensors();
   }
   Phase_timer timer(report.seconds.output);
-  Patch_collector<Kernel> collect(triangulation, mesh, report);
+  Patch_collector<Kernel> collect(triangulation, surface.chart(), mesh, report);
   collect(refine);
 }
 

@@ -1,0 +1,201 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command line of mesh_patch.
+#ifndef MESH_PATCH_OPTIONS_H
+#define MESH_PATCH_OPTIONS_H
+
+#include "Sample_surfaces.h"
+
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+
+#include <boost/program_options.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// A command line that cannot be followed; the message says what to change.
+struct Usage_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+struct Mesh_patch_options
+{
+  std::string surface, metric = "first-fundamental-form";
+  std::string out, uv, picture, uv_picture, json, division;
+  double max_edge = 0, min_edge = 0, distance = 0; // 0 if not given
+  double gamma = CGAL::Parametric_surface_mesh_criteria().gamma();
+  double angle = CGAL::Parametric_surface_mesh_criteria().angle();
+  double size_factor = CGAL::Parametric_surface_mesh_criteria().size_factor();
+  std::vector<unsigned int> numbers_of_edges; // from `division`
+  int ellipses = 0;
+  bool is_quiet = false, is_help_wanted = false;
+};
+
+namespace mesh_patch {
+
+namespace po = boost::program_options;
+
+const char* const introduction =
+  "Usage: mesh_patch SURFACE [OPTION]...\n"
+  "\n"
+  "Meshes a parametric surface and prints what came out.\n"
+  "\n"
+  "SURFACE is the name of a sample surface,\n"
+  "    flat bend peak hole cap sphere torus cyl skew stretch,\n"
+  "or a file of Bezier patches that ends in .bpt. Equal boundary curves of patches are\n"
+  "joined, so that neighbours fit without a crack.\n";
+
+const char* const conclusion =
+  "\n"
+  "Lengths are in the unit of the surface. The boundary is divided first and then never\n"
+  "changed. A triangle that meets a criterion no better because of that counts as\n"
+  "boundary-limited. The numbers of --json are, among others:\n"
+  "  vertices, triangles\n"
+  "  min_angle, mean_min_angle     of the triangles, in degrees in space\n"
+  "  mean_radius_ratio             mean of 2r/R, which is 1 for equilateral triangles\n"
+  "  max_deviation                 largest H/L of the inner edges of all patches that are\n"
+  "                                not shorter than --min-edge, measured after meshing\n"
+  "  boundary_limited              triangles that fail a criterion at the boundary\n"
+  "  unmet                         triangles that fail a criterion for another cause\n"
+  "  unmet_by                      both of them by criterion and cause\n"
+  "  seconds                       processor time of each phase; `meshing` is their sum,\n"
+  "                                without reading, measuring and writing\n"
+  "\n"
+  "In --uv and --uv-picture the patches of a file lie side by side, uv_columns (of --json) in a\n"
+  "row: the one in column i of row j, counted from 0, is moved by (i, -j) times uv_shift.\n"
+  "\n"
+  "Exit status: 0 if there is a mesh, even if not all triangles meet the criteria; 2 after an\n"
+  "error, which is one line on the standard error output, and no file is written.\n";
+
+inline po::options_description described_options(Mesh_patch_options& o)
+{
+  const auto number = [](double& target) { return po::value<double>(&target)->value_name("X"); };
+  const auto file = [](std::string& target) { return po::value<std::string>(&target)->value_name("FILE"); };
+  const auto with_default = [](const std::string& text, double value) {
+    std::ostringstream result;
+    result << text << " (" << value << ")";
+    return result.str();
+  };
+  po::options_description criteria("Criteria (default)", 92);
+  criteria.add_options()
+    ("max-edge", number(o.max_edge),
+     "wanted edge length where nothing asks for less (1/20 of the diagonal of the boundary's box)")
+    ("min-edge", number(o.min_edge),
+     "edges shorter than this are not divided for deviation or size (1/100 of --max-edge)")
+    ("gamma", number(o.gamma),
+     with_default("largest deviation ratio H/L of an edge: arc height over length", o.gamma).c_str())
+    ("angle", number(o.angle),
+     with_default("smallest angle in degrees, at least 0 and below 60", o.angle).c_str())
+    ("size-factor", number(o.size_factor),
+     with_default("factor C of the size criterion R <= C (S1 + S2 + S3)", o.size_factor).c_str())
+    ("distance", number(o.distance), "largest distance from the surface to a triangle (none)")
+    ("metric", po::value<std::string>(&o.metric)->value_name("NAME"),
+     "first-fundamental-form: triangles well shaped in space; or principal-curvature: stretched along the direction of "
+     "least curvature (first-fundamental-form)")
+    ("division", po::value<std::string>(&o.division)->value_name("N1,N2,..."),
+     "numbers of edges of the boundary curves, loop by loop; 0 leaves a curve to the criteria");
+  po::options_description output("Output", 92);
+  output.add_options()
+    ("out", file(o.out), "the mesh, as .off, .obj, .ply or .stl")
+    ("uv", file(o.uv), "the same triangles in the domain, as points (u,v,0); endings as for --out")
+    ("picture", file(o.picture), "a picture of the mesh, as .svg")
+    ("uv-picture", file(o.uv_picture), "a picture of the triangles in the domain, as .svg")
+    ("ellipses", po::value<int>(&o.ellipses)->value_name("N"), "the number of circumellipses in --uv-picture (0)")
+    ("json", file(o.json), "the results in numbers, as .json")
+    ("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors")
+    ("help", po::bool_switch(&o.is_help_wanted), "print this and stop");
+  criteria.add(output);
+  return criteria;
+}
+
+inline void print_help(std::ostream& out)
+{
+  Mesh_patch_options defaults;
+  out << introduction << "\n" << described_options(defaults) << conclusion;
+}
+
+// the numbers of edges in a list like "400,10,0,10"
+inline std::vector<unsigned int> numbers_in(const std::string& list)
+{
+  const unsigned int most = 1000000;
+  std::vector<unsigned int> result;
+  std::istringstream items(list + ",");
+  for(std::string item; std::getline(items, item, ',');) {
+    const bool is_number = !item.empty() && item.size() < 8 && item.find_first_not_of("0123456789") == std::string::npos;
+    if(!is_number || std::stoul(item) > most)
+      throw Usage_error("--division: '" + item + "' must be a whole number from 0 to " + std::to_string(most));
+    result.push_back(static_cast<unsigned int>(std::stoul(item)));
+  }
+  return result;
+}
+
+inline void check_positive(const po::variables_map& given, const std::string& option)
+{
+  if(given.count(option) == 0)
+    return;
+  const double value = given[option].as<double>();
+  if(!(value > 0) || !std::isfinite(value)) {
+    std::ostringstream message;
+    message << "--" << option << ": " << value << " must be a finite number greater than 0";
+    throw Usage_error(message.str());
+  }
+}
+
+inline void check_values(const po::variables_map& given, const Mesh_patch_options& o)
+{
+  for(const char* option : {"max-edge", "min-edge", "gamma", "size-factor", "distance"})
+    check_positive(given, option);
+  if(!(o.angle >= 0 && o.angle < 60))
+    throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
+  if(o.max_edge > 0 && o.min_edge > o.max_edge)
+    throw Usage_error("--min-edge must not be larger than --max-edge");
+  if(o.metric != "first-fundamental-form" && o.metric != "principal-curvature")
+    throw Usage_error("--metric: '" + o.metric + "' must be first-fundamental-form or principal-curvature");
+  if(o.ellipses < 0)
+    throw Usage_error("--ellipses: the number must not be negative");
+  if(o.ellipses > 0 && o.uv_picture.empty())
+    throw Usage_error("--ellipses needs --uv-picture, the picture that they are drawn in");
+}
+
+} // namespace mesh_patch
+
+// Reads the command line; throws Usage_error.
+inline Mesh_patch_options read_mesh_patch_options(int argc, char** argv)
+{
+  using namespace mesh_patch;
+  Mesh_patch_options o;
+  po::options_description options = described_options(o);
+  options.add_options()("surface", po::value<std::string>(&o.surface));
+  po::positional_options_description positional;
+  positional.add("surface", 1);
+  po::variables_map given;
+  try {
+    const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).style(style).run(), given);
+    po::notify(given);
+  }
+  catch(const po::too_many_positional_options_error&) {
+    throw Usage_error("more than one surface is given; --help lists the options");
+  }
+  catch(const po::error& error) {
+    throw Usage_error(std::string(error.what()) + "; --help lists the options");
+  }
+  if(o.is_help_wanted)
+    return o;
+  if(o.surface.empty())
+    throw Usage_error("no surface is given; --help lists those that there are");
+  check_values(given, o);
+  if(given.count("division") != 0)
+    o.numbers_of_edges = numbers_in(o.division);
+  return o;
+}
+
+#endif // MESH_PATCH_OPTIONS_H

@@ -1,0 +1,245 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The files and the summary of mesh_patch.
+#ifndef MESH_PATCH_OUTPUT_H
+#define MESH_PATCH_OUTPUT_H
+
+#include "Mesh_patch_input.h"
+#include "Mesh_patch_options.h"
+#include "Mesh_patch_result.h"
+#include "Output_files.h"
+#include "Patch_triangles.h"
+#include "write_mesh_picture.h"
+
+#include <CGAL/Surface_mesh/IO.h>
+#include <CGAL/boost/graph/IO/OBJ.h>
+#include <CGAL/boost/graph/IO/OFF.h>
+#include <CGAL/boost/graph/IO/PLY.h>
+#include <CGAL/boost/graph/IO/STL.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mesh_patch {
+
+// The mesh in the format of the file's ending.
+inline void write_mesh(std::ostream& out, const std::string& file_name, const Mesh& mesh)
+{
+  const auto precision = CGAL::parameters::stream_precision(17);
+  bool is_written = false;
+  if(has_ending(file_name, ".off"))
+    is_written = CGAL::IO::write_OFF(out, mesh, precision);
+  else if(has_ending(file_name, ".obj"))
+    is_written = CGAL::IO::write_OBJ(out, mesh, precision);
+  else if(has_ending(file_name, ".ply"))
+    is_written = CGAL::IO::write_PLY(out, mesh, precision);
+  else // as text, since a binary .stl has single precision
+    is_written = CGAL::IO::write_STL(out, mesh, precision);
+  if(!is_written)
+    out.setstate(std::ios::failbit);
+}
+
+inline void check_ending(const std::string& option, const std::string& file_name, const std::vector<std::string>& endings)
+{
+  std::string list;
+  for(const std::string& ending : endings) {
+    if(has_ending(file_name, ending))
+      return;
+    list += (list.empty() ? "" : " or ") + ending;
+  }
+  throw Usage_error("--" + option + ": the file name " + file_name + " must end in " + list);
+}
+
+// All patches as one mesh of points (u,v,0).
+inline Mesh domain_mesh(const Mesh_patch_result& result)
+{
+  Mesh mesh;
+  const Uv_layout layout(result.patches);
+  for(std::size_t i = 0; i < result.patches.size(); ++i) {
+    const Patch_triangles& patch = result.patches[i];
+    const std::array<double, 2> t = layout.translation(i);
+    const std::size_t first = mesh.number_of_vertices();
+    for(const auto v : patch.mesh.vertices())
+      mesh.add_vertex({patch.uv[v].x() + t[0], patch.uv[v].y() + t[1], 0});
+    for(const auto face : patch.mesh.faces()) {
+      std::vector<Mesh::Vertex_index> corners;
+      for(const auto v : patch.mesh.vertices_around_face(patch.mesh.halfedge(face)))
+        corners.push_back(Mesh::Vertex_index(Mesh::size_type(first + v)));
+      mesh.add_face(corners);
+    }
+  }
+  return mesh;
+}
+
+inline void write_picture(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_result& result)
+{
+  Surface_picture_options picture;
+  picture.title = input.name;
+  const auto arrays = mesh_picture::arrays<3>(result.mesh, [&](auto v) { return result.mesh.point(v); });
+  write_surface_picture(out, arrays.first, arrays.second, picture);
+}
+
+inline void write_uv_picture(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_result& result)
+{
+  Domain_picture_options picture;
+  const Uv_layout layout(result.patches);
+  picture.title = input.name;
+  picture.is_range_shown = layout.columns == 1;
+  if(layout.columns > 1)
+    picture.title += ", patches in rows of " + std::to_string(layout.columns);
+  for(std::size_t i = 0; i < result.ellipses.size(); ++i)
+    for(const auto& e : result.ellipses[i])
+      picture.ellipses.push_back({{e.center().x() + layout.translation(i)[0], e.center().y() + layout.translation(i)[1]},
+                                  e.a(), e.b(), e.alpha()});
+  const Mesh mesh = domain_mesh(result);
+  const auto arrays = mesh_picture::arrays<2>(mesh, [&](auto v) { return mesh.point(v); });
+  write_domain_picture(out, arrays.first, arrays.second, picture);
+}
+
+struct Unmet_count
+{
+  const char *criterion, *cause;
+  std::size_t triangles;
+};
+
+// The triangles that fail, by criterion and cause, without those that there are none of.
+inline std::vector<Unmet_count> unmet_counts(const CGAL::Parametric_surface_mesh_report& report)
+{
+  using CGAL::Mesh_criterion;
+  using CGAL::Unmet_cause;
+  static const std::pair<Mesh_criterion, const char*> criteria[]
+    = {{Mesh_criterion::SIZE, "size"}, {Mesh_criterion::ANGLE, "angle"}, {Mesh_criterion::DEVIATION, "deviation"},
+       {Mesh_criterion::DISTANCE, "distance"}};
+  static const std::pair<Unmet_cause, const char*> causes[]
+    = {{Unmet_cause::BOUNDARY, "boundary"}, {Unmet_cause::MINIMUM_EDGE, "minimum edge"},
+       {Unmet_cause::NO_BETTER_POINT, "lack of a better point"}, {Unmet_cause::VERTEX_LIMIT, "vertex limit"},
+       {Unmet_cause::STOPPED, "stopped"}};
+  std::vector<Unmet_count> result;
+  for(const auto& cause : causes)
+    for(const auto& criterion : criteria)
+      if(const std::size_t n = report.count(criterion.first, cause.first))
+        result.push_back({criterion.second, cause.second, n});
+  return result;
+}
+
+inline nlohmann::ordered_json json_of_shape(const CGAL::Triangle_mesh_quality& q, const CGAL::Triangle_mesh_deviation& d)
+{
+  return {{"vertices", q.number_of_vertices},
+          {"triangles", q.number_of_faces},
+          {"edges", q.number_of_edges},
+          {"area", q.area},
+          {"min_angle", q.min_angle},
+          {"mean_min_angle", q.mean_min_angle},
+          {"max_angle", q.max_angle},
+          {"min_radius_ratio", q.min_radius_ratio},
+          {"mean_radius_ratio", q.mean_radius_ratio},
+          {"shortest_edge", q.min_edge_length},
+          {"mean_edge", q.mean_edge_length},
+          {"longest_edge", q.max_edge_length},
+          {"max_deviation", d.max_inner_deviation_ratio},
+          {"max_boundary_deviation", d.max_border_deviation_ratio},
+          {"max_distance", d.max_distance_to_face},
+          {"inverted_triangles", d.number_of_inverted_faces + d.number_of_domain_violations},
+          {"connected_components", q.number_of_connected_components},
+          {"boundary_cycles", q.number_of_boundary_cycles},
+          {"border_edges", q.number_of_border_edges},
+          {"euler_characteristic", q.euler_characteristic},
+          {"closed", q.is_closed},
+          {"manifold", q.is_manifold}};
+}
+
+inline nlohmann::ordered_json json_of_report(const CGAL::Parametric_surface_mesh_report& report)
+{
+  const std::size_t boundary_limited = report.count(CGAL::Unmet_cause::BOUNDARY);
+  nlohmann::ordered_json by = nlohmann::ordered_json::array();
+  for(const Unmet_count& count : unmet_counts(report))
+    by.push_back({{"criterion", count.criterion}, {"cause", count.cause}, {"triangles", count.triangles}});
+  const auto& s = report.seconds;
+  return {{"min_angle_off_boundary", report.smallest_angle_off_boundary},
+          {"division_edges", report.number_of_boundary_edges},
+          {"boundary_limited", boundary_limited},
+          {"unmet", report.unmet.size() - boundary_limited},
+          {"unmet_by", by},
+          {"seconds", {{"division", s.division}, {"triangulation", s.triangulation}, {"refinement", s.refinement},
+                       {"improvement", s.improvement}, {"output", s.output}, {"meshing", s.meshing()}}}};
+}
+
+inline void write_json(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_options& options,
+                       const Mesh_patch_result& result)
+{
+  const auto& criteria = result.criteria;
+  const Uv_layout layout(result.patches);
+  nlohmann::ordered_json json
+    = {{"name", input.name}, {"metric", options.metric}, {"max_edge", criteria.max_edge()},
+       {"min_edge", criteria.min_edge()}, {"gamma", criteria.gamma()}, {"angle", criteria.angle()},
+       {"size_factor", criteria.size_factor()}, {"patches", result.patches.size()},
+       {"uv_columns", layout.columns}, {"uv_shift", layout.shift}};
+  if(criteria.distance() > 0)
+    json["distance"] = criteria.distance();
+  json.update(json_of_shape(result.quality, result.deviation));
+  json.update(json_of_report(result.report));
+  out << json.dump(2) << "\n";
+}
+
+// The files that the options ask for; throws if one of them could not be written later. They take what is in `input` and
+// `result` when they are written.
+inline Output_files output_files(const Mesh_patch_options& o, const Mesh_patch_input& input, const Mesh_patch_result& result)
+{
+  Output_files files;
+  const auto add = [&](const char* option, const std::string& name, const std::vector<std::string>& endings,
+                       Output_files::Writer write) {
+    if(name.empty())
+      return;
+    check_ending(option, name, endings);
+    files.add(name, std::move(write));
+  };
+  const std::vector<std::string> formats = {".off", ".obj", ".ply", ".stl"};
+  add("out", o.out, formats, [&](std::ostream& out) { write_mesh(out, o.out, result.mesh); });
+  add("uv", o.uv, formats, [&](std::ostream& out) { write_mesh(out, o.uv, domain_mesh(result)); });
+  add("picture", o.picture, {".svg"}, [&](std::ostream& out) { write_picture(out, input, result); });
+  add("uv-picture", o.uv_picture, {".svg"}, [&](std::ostream& out) { write_uv_picture(out, input, result); });
+  add("json", o.json, {".json"}, [&](std::ostream& out) { write_json(out, input, o, result); });
+  return files;
+}
+
+inline std::string plural(std::size_t n, const std::string& what, const std::string& several = std::string())
+{
+  return std::to_string(n) + " " + (n == 1 ? what : several.empty() ? what + "s" : several);
+}
+
+inline void print_summary(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_result& result)
+{
+  const auto& q = result.quality;
+  const auto& d = result.deviation;
+  const auto& s = result.report.seconds;
+  out.precision(4);
+  out << input.name << ": " << plural(q.number_of_vertices, "vertex", "vertices") << ", " << plural(q.number_of_faces, "triangle")
+      << ", " << plural(q.number_of_connected_components, "connected component") << ", "
+      << plural(q.number_of_boundary_cycles, "boundary cycle") << (q.is_manifold ? "" : ", NOT MANIFOLD") << "\n"
+      << "  smallest angle " << q.min_angle << " degrees, its mean " << q.mean_min_angle << "; mean 2r/R "
+      << q.mean_radius_ratio << "\n"
+      << "  deviation ratio up to " << d.max_inner_deviation_ratio << " inside, " << d.max_border_deviation_ratio
+      << " on the boundary; distance up to " << d.max_distance_to_face << "\n";
+  if(const std::size_t n = d.number_of_inverted_faces + d.number_of_domain_violations)
+    out << "  INVERTED: " << plural(n, "triangle") << "\n";
+  if(result.report.unmet.empty())
+    out << "  all triangles meet the criteria\n";
+  for(const Unmet_count& count : unmet_counts(result.report))
+    out << "  not met: " << count.criterion << " of " << plural(count.triangles, "triangle") << ", because of the "
+        << count.cause << "\n";
+  out << "  " << s.meshing() << " s: division " << s.division << ", triangulation " << s.triangulation << ", refinement "
+      << s.refinement << ", improvement " << s.improvement << ", output " << s.output << "\n";
+}
+
+} // namespace mesh_patch
+
+#endif // MESH_PATCH_OUTPUT_H

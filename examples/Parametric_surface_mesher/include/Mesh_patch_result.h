@@ -1,0 +1,158 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Meshing and measuring in mesh_patch.
+#ifndef MESH_PATCH_RESULT_H
+#define MESH_PATCH_RESULT_H
+
+#include "Mesh_patch_input.h"
+#include "Mesh_patch_options.h"
+#include "Patch_triangles.h"
+#include "Progress_line.h"
+
+#include <CGAL/Circumellipse_2.h>
+#include <CGAL/First_fundamental_form_metric_2.h>
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Principal_curvature_metric_2.h>
+#include <CGAL/Triangle_mesh_deviation.h>
+#include <CGAL/Triangle_mesh_quality.h>
+#include <CGAL/make_parametric_surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <limits>
+#include <variant>
+#include <vector>
+
+struct Mesh_patch_result
+{
+  typedef CGAL::Circumellipse_2<Sample_kernel> Ellipse;
+
+  CGAL::Parametric_surface_mesh_criteria criteria; // with the sizes in effect
+  Mesh mesh;
+  CGAL::Parametric_surface_mesh_report report;
+  CGAL::Triangle_mesh_quality quality;
+  CGAL::Triangle_mesh_deviation deviation; // of all patches
+  std::deque<Patch_triangles> patches;     // which cannot be moved in memory
+  std::vector<std::vector<Ellipse>> ellipses; // of the patches
+};
+
+namespace mesh_patch {
+
+// Adds what was measured on one patch to the whole.
+inline void add(const CGAL::Triangle_mesh_deviation& d, CGAL::Triangle_mesh_deviation& sum)
+{
+  sum.max_inner_deviation_ratio = (std::max)(sum.max_inner_deviation_ratio, d.max_inner_deviation_ratio);
+  sum.max_border_deviation_ratio = (std::max)(sum.max_border_deviation_ratio, d.max_border_deviation_ratio);
+  sum.max_distance_to_face = (std::max)(sum.max_distance_to_face, d.max_distance_to_face);
+  sum.max_distance_to_vertex = (std::max)(sum.max_distance_to_vertex, d.max_distance_to_vertex);
+  sum.number_of_skipped_edges += d.number_of_skipped_edges;
+  sum.number_of_inverted_faces += d.number_of_inverted_faces;
+  sum.number_of_domain_violations += d.number_of_domain_violations;
+}
+
+// A triangle of a patch, by its centroid in the domain.
+struct Triangle_position
+{
+  std::size_t patch;
+  Mesh::Face_index face;
+  double u, v;
+  double squared_distance; // to the triangles chosen so far
+};
+
+inline std::vector<Triangle_position> triangle_positions(const Mesh_patch_result& result)
+{
+  std::vector<Triangle_position> positions;
+  const Uv_layout layout(result.patches);
+  for(std::size_t i = 0; i < result.patches.size(); ++i) {
+    const Mesh& mesh = result.patches[i].mesh;
+    const std::array<double, 2> t = layout.translation(i);
+    for(const auto face : mesh.faces()) {
+      Triangle_position position = {i, face, 0, 0, (std::numeric_limits<double>::max)()};
+      for(const auto v : mesh.vertices_around_face(mesh.halfedge(face))) {
+        position.u += result.patches[i].uv[v].x() / 3;
+        position.v += result.patches[i].uv[v].y() / 3;
+      }
+      position.u = (position.u + t[0]) / layout.width;
+      position.v = (position.v + t[1]) / layout.height;
+      positions.push_back(position);
+    }
+  }
+  return positions;
+}
+
+// The circumellipses of `number` triangles spread over the domain: each is far from the ones before.
+template <class Metric>
+std::vector<std::vector<Mesh_patch_result::Ellipse>> some_ellipses(const Mesh_patch_input& input,
+                                                                   const Mesh_patch_result& result,
+                                                                   const Metric& metric, std::size_t number)
+{
+  std::vector<std::vector<Mesh_patch_result::Ellipse>> ellipses(result.patches.size());
+  std::vector<Triangle_position> positions = triangle_positions(result);
+  for(std::size_t n = 0; n < (std::min)(number, positions.size()); ++n) {
+    const Triangle_position next = *std::max_element(positions.begin(), positions.end(), [](const auto& a, const auto& b) {
+      return a.squared_distance < b.squared_distance;
+    });
+    append_circumellipse(result.patches[next.patch], input.patches[next.patch].surface, metric, next.face,
+                         ellipses[next.patch]);
+    for(Triangle_position& p : positions)
+      p.squared_distance = (std::min)(p.squared_distance, CGAL::square(p.u - next.u) + CGAL::square(p.v - next.v));
+  }
+  return ellipses;
+}
+
+inline void measure(const Mesh_patch_input& input, const Halfedge_uv_map& uv, const Face_patch_map& patch,
+                    Mesh_patch_result& result)
+{
+  const unsigned int subdivisions = 3; // edges at their thirds, and the centroid
+  result.quality = CGAL::triangle_mesh_quality(result.mesh);
+  const auto faces = faces_of_patches(result.mesh, patch, input.patches.size());
+  for(std::size_t i = 0; i < input.patches.size(); ++i) {
+    result.patches.emplace_back();
+    append_triangles(result.mesh, uv, faces[i], input.patches[i].is_reversed, result.patches[i]);
+    add(CGAL::triangle_mesh_deviation(result.patches[i].mesh, input.patches[i].surface, result.patches[i].uv, subdivisions,
+                                      result.criteria.min_edge()),
+        result.deviation);
+  }
+}
+
+template <class Metric>
+void mesh_with_metric(const Mesh_patch_input& input, const Mesh_patch_options& options, const Metric& metric,
+                      Mesh_patch_result& result)
+{
+  namespace parameters = CGAL::parameters;
+  const Halfedge_uv_map uv = result.mesh.add_property_map<Mesh::Halfedge_index, Sample_kernel::Point_2>("h:uv").first;
+  const Face_patch_map patch = result.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
+  result.criteria = make_criteria(options, input);
+  {
+    Progress_line progress(options.is_quiet);
+    const auto maps = parameters::halfedge_uv_map(
+      uv, parameters::face_patch_id_map(patch, parameters::metric_field(metric).visitor(std::ref(progress))));
+    if(const Sample* sample = std::get_if<Sample>(&input.source))
+      result.report
+        = CGAL::make_parametric_surface_mesh(sample->surface, sample->domain, result.criteria, result.mesh, maps);
+    else
+      result.report = CGAL::make_parametric_surface_mesh(std::get<Sample_model>(input.source), result.criteria,
+                                                         result.mesh, maps);
+  }
+  measure(input, uv, patch, result);
+  if(options.ellipses > 0)
+    result.ellipses = some_ellipses(input, result, metric, std::size_t(options.ellipses));
+}
+
+inline void mesh_and_measure(const Mesh_patch_input& input, const Mesh_patch_options& options,
+                             Mesh_patch_result& result)
+{
+  if(options.metric == "principal-curvature")
+    mesh_with_metric(input, options, CGAL::Principal_curvature_metric_2<Sample_kernel>(), result);
+  else
+    mesh_with_metric(input, options, CGAL::First_fundamental_form_metric_2<Sample_kernel>(), result);
+}
+
+} // namespace mesh_patch
+
+#endif // MESH_PATCH_RESULT_H

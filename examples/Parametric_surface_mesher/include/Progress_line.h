@@ -1,0 +1,51 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef PROGRESS_LINE_H
+#define PROGRESS_LINE_H
+
+#include <CGAL/Parametric_surface_mesh_visitor.h>
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstddef>
+#include <iostream>
+#include <string>
+
+// Shows on the terminal, if there is one, how far meshing is: a line that overwrites itself.
+class Progress_line : public CGAL::Parametric_surface_mesh_visitor
+{
+  typedef std::chrono::steady_clock Clock;
+
+  bool m_is_shown;
+  std::string m_phase;
+  Clock::time_point m_last = Clock::now();
+
+public:
+  explicit Progress_line(bool is_quiet) : m_is_shown(!is_quiet && isatty(STDERR_FILENO)) {}
+
+  ~Progress_line() { clear(); }
+
+  Progress_line(const Progress_line&) = delete;
+  Progress_line& operator=(const Progress_line&) = delete;
+
+  void on_phase(const char* name) { m_phase = name; }
+
+  void on_progress(std::size_t number_of_vertices, std::size_t number_of_bad_faces)
+  {
+    if(!m_is_shown || Clock::now() - m_last < std::chrono::milliseconds(100))
+      return;
+    m_last = Clock::now();
+    std::cerr << "\r\033[K" << m_phase << ": " << number_of_vertices << " vertices, at most " << number_of_bad_faces
+              << " triangles waiting" << std::flush;
+  }
+
+  // removes the line
+  void clear()
+  {
+    if(m_is_shown)
+      std::cerr << "\r\033[K" << std::flush;
+  }
+};
+
+#endif // PROGRESS_LINE_H

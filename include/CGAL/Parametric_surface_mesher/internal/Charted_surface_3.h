@@ -1,0 +1,83 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTED_SURFACE_3_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTED_SURFACE_3_H
+
+#include <CGAL/Parametric_surface_mesher/internal/Polar_chart_2.h>
+#include <CGAL/Surface_jet_3.h>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// A surface in the coordinates of a chart: a model of `ParametricSurface_3`.
+template <class Surface>
+class Charted_surface_3
+{
+public:
+  typedef typename Surface::Geom_traits Geom_traits;
+  typedef typename Geom_traits::Point_2 Point_2;
+  typedef typename Geom_traits::Point_3 Point_3;
+  typedef Polar_chart_2<Geom_traits> Chart;
+
+private:
+  const Surface& m_surface;
+  Chart m_chart;
+
+public:
+  Charted_surface_3(const Surface& surface, const Chart& chart) : m_surface(surface), m_chart(chart) {}
+
+  const Chart& chart() const { return m_chart; }
+
+  Point_3 point(double x, double y) const
+  {
+    if(m_chart.is_identity())
+      return m_surface.point(x, y);
+    const Point_2 uv = m_chart.domain_point(Point_2(x, y));
+    return m_surface.point(uv.x(), uv.y());
+  }
+
+  // At a pole the derivatives depend on the direction: those a little away from it are taken.
+  Surface_jet_3<Geom_traits> jet(double x, double y) const
+  {
+    if(m_chart.is_identity())
+      return m_surface.jet(x, y);
+    Point_2 z(x, y);
+    if(m_chart.is_pole(z))
+      z = Point_2(x > 0 ? x - distance_from_pole : x + distance_from_pole, y);
+    const Point_2 uv = m_chart.domain_point(z);
+    return m_chart.chart_jet(m_surface.jet(uv.x(), uv.y()), z);
+  }
+
+  // The jet by the coordinates of the domain.
+  Surface_jet_3<Geom_traits> domain_jet(const Point_2& z) const
+  {
+    const Point_2 uv = m_chart.domain_point(z);
+    return m_surface.jet(uv.x(), uv.y());
+  }
+
+private:
+  static constexpr double distance_from_pole = 1e-4;
+};
+
+// The middle of an edge in the domain, in the coordinates of the chart. Of a pole, a whole side of the domain, the point opposite to the
+// other end counts.
+template <class Surface, class Point_2>
+Point_2 domain_middle(const Charted_surface_3<Surface>& surface, const Point_2& p, const Point_2& q)
+{
+  const auto& chart = surface.chart();
+  if(chart.is_identity())
+    return midpoint(p, q);
+  Point_2 a = chart.domain_point(p), b = chart.domain_point(q);
+  if(chart.is_pole(p))
+    a = chart.on_collapsed_side(a, b);
+  if(chart.is_pole(q))
+    b = chart.on_collapsed_side(b, a);
+  return chart.chart_point(midpoint(a, b));
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTED_SURFACE_3_H

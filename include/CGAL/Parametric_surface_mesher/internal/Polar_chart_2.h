@@ -1,0 +1,171 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POLAR_CHART_2_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POLAR_CHART_2_H
+
+#include <CGAL/Surface_jet_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// A side of the domain that is a point in space: on a line `v = level` (or `u = level`).
+struct Collapsed_side
+{
+  double from, to; // range of the coordinate that runs along the side
+  double level;    // of the other coordinate
+  double extent;   // of the domain in the other coordinate
+  double angle;    // in space, that the directions leaving the side sweep over
+  bool is_on_v_line;
+  bool is_lower; // whether the domain lies above the level
+};
+
+/*
+Coordinates in which a patch with poles is regular. A pole is a whole side of the domain: close to it the metric tensor
+degenerates and the affine map of a triangle means nothing. In the plane of complex numbers z,
+- with one pole, z = r e^(i theta): polar coordinates, the pole at the origin;
+- with two opposite poles, E = r/(1-r) e^(i theta) goes from one pole at 0 to the other at infinity, and z = (E-1)/(E+1) brings that
+  to 1: as a sphere is mapped by stereographic projection.
+Here r is the coordinate across the collapsed side, from 0 to 1 over the extent of the domain, and theta, proportional to the coordinate along it, sweeps
+over the angle that the pole has in space, but at most over 270 degrees, so that the ends of a full turn stay apart.
+
+Without poles the chart is the identity.
+*/
+template <class Kernel>
+class Polar_chart_2
+{
+public:
+  typedef typename Kernel::Point_2 Point_2;
+  typedef std::complex<double> Complex;
+
+private:
+  int m_number_of_poles = 0;
+  bool m_is_swapped = false;                    // the sides are on lines u = const
+  double m_middle = 0, m_theta_per_along = 1;   // of the coordinate along the sides
+  double m_level = 0, m_across_per_r = 1;       // of the coordinate across
+
+public:
+  Polar_chart_2() = default;
+
+  explicit Polar_chart_2(const Collapsed_side& side) : m_number_of_poles(1)
+  {
+    set_theta(side, side.angle);
+    m_level = side.level;
+    m_across_per_r = side.is_lower ? side.extent : -side.extent;
+  }
+
+  // \pre the two sides are opposite; `lower` is the one below the domain
+  Polar_chart_2(const Collapsed_side& lower, const Collapsed_side& upper) : m_number_of_poles(2)
+  {
+    set_theta(lower, (std::max)(lower.angle, upper.angle));
+    m_level = lower.level;
+    m_across_per_r = upper.level - lower.level;
+  }
+
+  bool is_identity() const { return m_number_of_poles == 0; }
+
+  // whether `z` is a pole
+  bool is_pole(const Point_2& z) const
+  {
+    return m_number_of_poles == 1 ? z.x() == 0 && z.y() == 0
+                                  : m_number_of_poles == 2 && (z.x() == -1 || z.x() == 1) && z.y() == 0;
+  }
+
+  // from the domain to the chart
+  Point_2 chart_point(const Point_2& uv) const
+  {
+    if(is_identity())
+      return uv;
+    const double along = m_is_swapped ? uv.y() : uv.x(), across = m_is_swapped ? uv.x() : uv.y();
+    const double r = (across - m_level) / m_across_per_r, theta = (along - m_middle) * m_theta_per_along;
+    if(m_number_of_poles == 1) {
+      const Complex z = std::polar((std::max)(r, 0.), theta);
+      return Point_2(z.real(), z.imag());
+    }
+    if(r >= 1)
+      return Point_2(1, 0);
+    const Complex e = std::polar((std::max)(r, 0.) / (1 - r), theta);
+    const Complex z = (e - 1.) / (e + 1.);
+    return Point_2(z.real(), z.imag());
+  }
+
+  // from the chart to the domain; at a pole, the middle of the collapsed side
+  Point_2 domain_point(const Point_2& z) const
+  {
+    if(is_identity())
+      return z;
+    if(is_pole(z))
+      return in_domain(m_middle, z.x() > 0 ? m_level + m_across_per_r : m_level);
+    const Complex l = log_e(Complex(z.x(), z.y()));
+    return in_domain(m_middle + l.imag() / m_theta_per_along, m_level + m_across_per_r * r_of(l.real()));
+  }
+
+  // `pole`, the domain point of a pole, moved along its side to where `other` is
+  Point_2 on_collapsed_side(const Point_2& pole, const Point_2& other) const
+  {
+    return m_is_swapped ? Point_2(pole.x(), other.y()) : Point_2(other.x(), pole.y());
+  }
+
+  // The jet by the chart's coordinates of a surface with this jet by the domain's, at the chart point `z`, no pole.
+  // With L = log E analytic, the Cauchy-Riemann equations give all derivatives of its parts from L' and L''.
+  Surface_jet_3<Kernel> chart_jet(const Surface_jet_3<Kernel>& s, const Point_2& point) const
+  {
+    const Complex z(point.x(), point.y());
+    const double a = log_e(z).real(), r = r_of(a);
+    const Complex d = m_number_of_poles == 1 ? 1. / z : 2. / (1. - z * z);
+    const Complex dd = m_number_of_poles == 1 ? -1. / (z * z) : z * d * d;
+    const double r1 = m_across_per_r * (m_number_of_poles == 1 ? r : r * (1 - r));
+    const double r2 = m_number_of_poles == 1 ? r1 : r1 * (1 - 2 * r);
+    const double t = 1 / m_theta_per_along;
+    // p: along the sides, q: across
+    const double px = t * d.imag(), py = t * d.real(), pxx = t * dd.imag(), pxy = t * dd.real(), pyy = -pxx;
+    const double ax = d.real(), ay = -d.imag(), axx = dd.real(), axy = -dd.imag();
+    const double qx = r1 * ax, qy = r1 * ay;
+    const double qxx = r2 * ax * ax + r1 * axx, qxy = r2 * ax * ay + r1 * axy, qyy = r2 * ay * ay - r1 * axx;
+    const auto &sp = m_is_swapped ? s.dv : s.du, &sq = m_is_swapped ? s.du : s.dv;
+    const auto &spp = m_is_swapped ? s.dvv : s.duu, &sqq = m_is_swapped ? s.duu : s.dvv;
+    return {s.point,
+            px * sp + qx * sq,
+            py * sp + qy * sq,
+            px * px * spp + 2 * px * qx * s.duv + qx * qx * sqq + pxx * sp + qxx * sq,
+            px * py * spp + (px * qy + py * qx) * s.duv + qx * qy * sqq + pxy * sp + qxy * sq,
+            py * py * spp + 2 * py * qy * s.duv + qy * qy * sqq + pyy * sp + qyy * sq};
+  }
+
+private:
+  // The sign of theta keeps the orientation of the domain.
+  void set_theta(const Collapsed_side& side, double angle)
+  {
+    const double three_quarters = 6 * std::atan(1.);
+    m_is_swapped = !side.is_on_v_line;
+    m_middle = 0.5 * (side.from + side.to);
+    m_theta_per_along = (std::min)(angle, three_quarters) / std::fabs(side.to - side.from);
+    if(side.is_lower == side.is_on_v_line)
+      m_theta_per_along = -m_theta_per_along;
+  }
+
+  Complex log_e(const Complex& z) const
+  {
+    return m_number_of_poles == 1 ? std::log(z) : std::log((1. + z) / (1. - z));
+  }
+
+  double r_of(double log_of_modulus) const
+  {
+    return m_number_of_poles == 1 ? std::exp(log_of_modulus) : 1 / (1 + std::exp(-log_of_modulus));
+  }
+
+  Point_2 in_domain(double along, double across) const
+  {
+    return m_is_swapped ? Point_2(across, along) : Point_2(along, across);
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POLAR_CHART_2_H

@@ -1,0 +1,133 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_FIND_CHART_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_FIND_CHART_H
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Polar_chart_2.h>
+#include <CGAL/Surface_jet_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Finds the chart for a patch: by its collapsed sides, if they are straight along `u` or `v` and either there is one or there are two
+// opposite ones. Otherwise it is the identity.
+template <class Surface>
+class Chart_finder
+{
+  typedef typename Surface::Geom_traits Kernel;
+  typedef typename Kernel::Point_2 Point_2;
+  typedef typename Kernel::Vector_3 Vector_3;
+  typedef Polar_chart_2<Kernel> Chart;
+
+  const Surface& m_surface;
+  const Boundary_loops<Kernel>& m_loops;
+  Bbox_2 m_box;
+
+public:
+  Chart_finder(const Surface& surface, const Boundary_loops<Kernel>& loops) : m_surface(surface), m_loops(loops)
+  {
+    for(const auto& loop : loops)
+      for(const Boundary_vertex<Kernel>& vertex : loop)
+        m_box += vertex.domain_point.bbox();
+  }
+
+  Chart operator()() const
+  {
+    std::vector<Collapsed_side> sides;
+    for(const auto& loop : m_loops)
+      for(std::size_t i = 0; i < loop.size(); ++i)
+        if(loop[i].index == loop[(i + 1) % loop.size()].index)
+          sides.push_back(side(loop[i].domain_point, loop[(i + 1) % loop.size()].domain_point));
+    for(const Collapsed_side& side : sides)
+      if(!(side.extent > 0) || !(side.angle > 0.01) || !fits(side))
+        return Chart();
+    if(sides.size() == 1)
+      return Chart(sides[0]);
+    if(sides.size() == 2 && sides[0].is_on_v_line == sides[1].is_on_v_line && sides[0].is_lower != sides[1].is_lower)
+      return sides[0].is_lower ? Chart(sides[0], sides[1]) : Chart(sides[1], sides[0]);
+    return Chart();
+  }
+
+private:
+  // the side from `p` to `q`; its extent is 0 if it is not along an edge of the domain's box
+  Collapsed_side side(const Point_2& p, const Point_2& q) const
+  {
+    Collapsed_side result;
+    result.is_on_v_line = p.y() == q.y();
+    result.from = result.is_on_v_line ? p.x() : p.y();
+    result.to = result.is_on_v_line ? q.x() : q.y();
+    result.level = result.is_on_v_line ? p.y() : p.x();
+    const double low = result.is_on_v_line ? m_box.ymin() : m_box.xmin();
+    const double high = result.is_on_v_line ? m_box.ymax() : m_box.xmax();
+    const bool is_straight = result.is_on_v_line || p.x() == q.x();
+    result.is_lower = result.level == low;
+    result.extent = is_straight && (result.is_lower || result.level == high) ? high - low : 0;
+    result.angle = angle(p, q, result.is_on_v_line);
+    return result;
+  }
+
+  // The angle in space that the directions leaving the side sweep over: 2 pi at the pole of a sphere.
+  double angle(const Point_2& p, const Point_2& q, bool is_on_v_line) const
+  {
+    const int number_of_samples = 64;
+    double sum = 0;
+    Vector_3 previous(0, 0, 0);
+    for(int i = 0; i <= number_of_samples; ++i) {
+      const Point_2 x = p + (double(i) / number_of_samples) * (q - p);
+      const Surface_jet_3<Kernel> jet = m_surface.jet(x.x(), x.y());
+      const Vector_3& across = is_on_v_line ? jet.dv : jet.du;
+      const Vector_3 direction = across / std::sqrt(across.squared_length());
+      if(i > 0)
+        sum += 2 * std::asin((std::min)(1., 0.5 * std::sqrt((direction - previous).squared_length())));
+      previous = direction;
+    }
+    return sum;
+  }
+
+  // Where the domain reaches beyond the ends of the side, its angle in the chart must stay below a full turn.
+  bool fits(const Collapsed_side& side) const
+  {
+    const double low = side.is_on_v_line ? m_box.xmin() : m_box.ymin();
+    const double high = side.is_on_v_line ? m_box.xmax() : m_box.ymax();
+    const double factor = (high - low) / std::fabs(side.to - side.from);
+    return std::isfinite(factor * side.angle) && (factor <= 1 || factor * side.angle < 6 * std::atan(1.));
+  }
+};
+
+template <class Surface>
+Polar_chart_2<typename Surface::Geom_traits> find_chart(const Surface& surface,
+                                                        const Boundary_loops<typename Surface::Geom_traits>& loops)
+{
+  return Chart_finder<Surface>(surface, loops)();
+}
+
+// The divided boundary in the coordinates of a chart, where a collapsed side is one point.
+template <class Kernel>
+Boundary_loops<Kernel> chart_loops(const Boundary_loops<Kernel>& loops, const Polar_chart_2<Kernel>& chart)
+{
+  if(chart.is_identity())
+    return loops;
+  Boundary_loops<Kernel> result;
+  for(const auto& loop : loops) {
+    result.emplace_back();
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      if(loop[i].index != loop[(i + 1) % loop.size()].index)
+        result.back().push_back({chart.chart_point(loop[i].domain_point), loop[i].surface_point, loop[i].index});
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_FIND_CHART_H

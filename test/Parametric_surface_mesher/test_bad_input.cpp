@@ -1,0 +1,256 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Input that cannot be meshed: an exception that names the place, and an output mesh that is as it was.
+// This file is compiled with NDEBUG too.
+#include <gtest/gtest.h>
+
+#include <Sample_surfaces.h>
+#include <mesher_test_helpers.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+// the plane, with the point and the first derivative of a place replaced
+struct Spoiled_plane
+{
+  std::function<bool(double, double)> is_spoiled;
+  double z, derivative;
+
+  Point_3 point(double u, double v) const { return Point_3(u, v, is_spoiled(u, v) ? z : 0); }
+
+  CGAL::Surface_jet_3<Test_kernel> jet(double u, double v) const
+  {
+    const Vector_3 zero(0, 0, 0);
+    return {point(u, v), Vector_3(1, 0, is_spoiled(u, v) ? derivative : 0), Vector_3(0, 1, 0), zero, zero, zero};
+  }
+};
+
+// `(x(u,v), y(u,v), 0)` for linear x and y
+struct Linear_surface
+{
+  double xu, xv, yu, yv;
+
+  Point_3 point(double u, double v) const { return Point_3(xu * u + xv * v, yu * u + yv * v, 0); }
+
+  CGAL::Surface_jet_3<Test_kernel> jet(double u, double v) const
+  {
+    const Vector_3 zero(0, 0, 0);
+    return {point(u, v), Vector_3(xu, yu, 0), Vector_3(xv, yv, 0), zero, zero, zero};
+  }
+};
+
+const Sample_surface flat((sample_surfaces::Flat()));
+
+Criteria small_edges() { return Criteria().set_max_edge(0.1).set_min_edge(0.001); }
+
+Domain square() { return Domain::rectangle(0, 1, 0, 1); }
+
+Domain square_with_holes(const std::vector<Domain::Loop>& holes)
+{
+  Domain domain = square();
+  for(const Domain::Loop& hole : holes)
+    domain.add_hole(hole);
+  return domain;
+}
+
+Domain::Loop small_square(double u, double v, double size)
+{
+  return Domain::polygon({Point_2(u, v), Point_2(u + size, v), Point_2(u + size, v + size), Point_2(u, v + size)});
+}
+
+// Expects that a patch is refused with all `words` in the message, and that a mesh that holds a triangle is left alone.
+template <class... Words>
+void check_refused(const Sample_surface& surface, const Domain& domain, const Criteria& criteria, const Words&... words)
+{
+  Mesh mesh;
+  const Uv_map uv = uv_map(mesh);
+  const Point_3 p(1, 2, 3);
+  CGAL::make_triangle(p, Point_3(4, 5, 6), Point_3(7, 8, 10), mesh);
+  expect_refused([&] { add_patch(surface, domain, criteria, mesh); }, words...);
+  EXPECT_EQ(3u, mesh.number_of_vertices());
+  EXPECT_EQ(3u, mesh.number_of_edges());
+  EXPECT_EQ(1u, mesh.number_of_faces());
+  EXPECT_EQ(p, mesh.point(*mesh.vertices_begin()));
+  EXPECT_EQ(Point_2(0, 0), uv[*mesh.vertices_begin()]);
+}
+
+template <class... Words>
+void check_refused(const Domain& domain, const Words&... words)
+{
+  check_refused(flat, domain, small_edges(), words...);
+}
+
+Sample_surface spoiled(const std::function<bool(double, double)>& is_spoiled, double z, double derivative)
+{
+  return Sample_surface(Spoiled_plane{is_spoiled, z, derivative});
+}
+
+bool is_on_the_right(double u, double) { return u > 0.95; }
+
+bool is_inside(double u, double v) { return std::hypot(u - 0.5, v - 0.5) < 0.3; }
+
+} // namespace
+
+TEST(Bad_input, a_good_patch_is_added_to_the_mesh)
+{
+  Mesh mesh;
+  CGAL::make_triangle(Point_3(1, 2, 3), Point_3(4, 5, 6), Point_3(7, 8, 10), mesh);
+  EXPECT_GT(add_patch(flat, square(), small_edges(), mesh).number_of_faces, 100u);
+}
+
+TEST(Bad_input, values_on_the_boundary)
+{
+  for(double value : {not_a_number, infinity, -infinity})
+    check_refused(spoiled(is_on_the_right, value, 0), square(), small_edges(), "not finite", "(u,v) = (");
+}
+
+TEST(Bad_input, values_inside)
+{
+  for(double value : {not_a_number, infinity, -infinity})
+    check_refused(spoiled(is_inside, value, 0), square(), small_edges(), "not finite", "(u,v) = (0.");
+}
+
+TEST(Bad_input, values_inside_that_only_the_criteria_ask_for)
+{
+  // so small a spot that no vertex need lie in it
+  const auto spot = [](double u, double v) { return std::hypot(u - 0.5, v - 0.5) < 1e-9; };
+  const Domain triangle({Point_2(0, 0), Point_2(1, 0), Point_2(1, 1), Point_2(0, 1)});
+  const Criteria coarse = Criteria().set_max_edge(2).set_min_edge(0.001);
+  check_refused(spoiled(spot, not_a_number, 0), triangle, coarse, "not finite", "(u,v) = (0.5, 0.5)");
+}
+
+TEST(Bad_input, derivatives)
+{
+  for(double value : {not_a_number, infinity}) {
+    check_refused(spoiled(is_on_the_right, 0, value), square(), small_edges(), "not finite", "(u,v) = (");
+    check_refused(spoiled(is_inside, 0, value), square(), small_edges(), "not finite", "(u,v) = (0.");
+  }
+}
+
+TEST(Bad_input, domain_that_is_not_finite)
+{
+  for(double value : {not_a_number, infinity})
+    check_refused(Domain({Point_2(0, 0), Point_2(value, 0), Point_2(1, 1)}), "loop 0");
+}
+
+TEST(Bad_input, open_loop)
+{
+  check_refused(Domain(Domain::Loop{Curve::segment(Point_2(0, 0), Point_2(1, 0)),
+                                    Curve::segment(Point_2(1, 0), Point_2(0.75, 1)),
+                                    Curve::segment(Point_2(0.5, 1), Point_2(0, 0))}),
+                "loop 0", "open", "curve 1", "(0.75, 1)", "(0.5, 1)");
+  check_refused(square_with_holes({small_square(0.1, 0.1, 0.2), {Curve::arc(Point_2(0.7, 0.7), 0.1, 0, 3)}}), "loop 2", "open",
+                "curve 0");
+}
+
+TEST(Bad_input, empty_loop)
+{
+  check_refused(Domain(Domain::Loop()), "loop 0", "no curve");
+  check_refused(square_with_holes({{}}), "loop 1", "no curve");
+}
+
+TEST(Bad_input, loops_of_two_points)
+{
+  Domain::Loop loop = Domain::polygon({Point_2(0, 0), Point_2(1, 0)});
+  check_refused(Domain(loop), "loop 0");
+  for(Curve& curve : loop)
+    curve.set_number_of_edges(1);
+  check_refused(Domain(loop), "loop 0", "2 edges", "3");
+}
+
+TEST(Bad_input, curve_of_length_zero)
+{
+  check_refused(Domain({Point_2(0, 0), Point_2(1, 0), Point_2(1, 0), Point_2(1, 1)}), "loop 0", "length zero", "(1, 0)");
+}
+
+TEST(Bad_input, crossing_segments_are_both_named)
+{
+  Domain::Loop bow_tie = Domain::polygon({Point_2(0, 0), Point_2(1, 1), Point_2(1, 0), Point_2(0, 1)});
+  for(Curve& curve : bow_tie)
+    curve.set_number_of_edges(1);
+  check_refused(Domain(bow_tie), "crosses", "segment 0 of loop 0", "(0, 0) to (1, 1)", "segment 2 of loop 0", "(1, 0) to (0, 1)");
+}
+
+TEST(Bad_input, crossing_loops)
+{
+  check_refused(square_with_holes({small_square(0.8, 0.4, 0.4)}), "crosses", "of loop 0", "of loop 1");
+  check_refused(square_with_holes({small_square(0.2, 0.2, 0.3), small_square(0.4, 0.4, 0.3)}), "crosses", "of loop 1",
+                "of loop 2");
+}
+
+TEST(Bad_input, loops_that_touch)
+{
+  // in a corner, along a side, and a loop with itself
+  check_refused(square_with_holes({small_square(0.2, 0.2, 0.2), small_square(0.4, 0.4, 0.2)}), "touches", "of loop 1",
+                "of loop 2", "(0.4", "0.4");
+  check_refused(square_with_holes({small_square(0, 0.2, 0.2)}), "touches", "of loop 0", "of loop 1");
+  check_refused(Domain({Point_2(0, 0), Point_2(1, 0), Point_2(1, 1), Point_2(0.5, 0), Point_2(0, 1)}), "touches",
+                "of loop 0, ", "(0.5, 0)");
+}
+
+TEST(Bad_input, side_that_folds_back)
+{
+  check_refused(Domain({Point_2(0, 0), Point_2(2, 0), Point_2(1, 0), Point_2(1, 1)}), "touches", "of loop 0");
+}
+
+TEST(Bad_input, wrong_nesting)
+{
+  check_refused(square_with_holes({small_square(2, 2, 0.5)}), "loop 1", "outside", "(2, 2)");
+  check_refused(square_with_holes({small_square(0.2, 0.2, 0.6), small_square(0.4, 0.4, 0.2)}), "loop 2",
+                "inside another hole", "(0.4");
+  check_refused(square_with_holes({small_square(-1, -1, 3)}), "loop 0", "outer", "inside");
+}
+
+TEST(Bad_input, domain_of_area_zero)
+{
+  check_refused(Domain({Point_2(0, 0), Point_2(1, 1), Point_2(3, 3)}), "loop 0");
+  check_refused(Domain({Point_2(1, 1), Point_2(1, 1), Point_2(1, 1)}), "loop 0");
+}
+
+TEST(Bad_input, degenerate_surface)
+{
+  check_refused(Sample_surface(Linear_surface{1, 2, 2, 4}), square(), small_edges(), "degenerate", "(u,v) = ("); // a line
+  check_refused(Sample_surface(Linear_surface{1, 0, 0, 0}), square(), small_edges(), "degenerate");
+  check_refused(Sample_surface(Linear_surface{0, 0, 0, 0}), square(), small_edges(), "degenerate"); // a point
+  check_refused(Sample_surface(Linear_surface{0, 0, 0, 0}), square(), Criteria(), "degenerate");
+}
+
+TEST(Bad_input, sizes_that_contradict_each_other)
+{
+  check_refused(flat, square(), Criteria().set_max_edge(0.25).set_min_edge(0.5), "minimum edge", "0.5", "maximum edge",
+                "0.25");
+}
+
+TEST(Bad_input, sizes_that_need_too_many_vertices)
+{
+  Criteria few = Criteria().set_max_edge(1e-6).set_min_edge(1e-7).set_max_number_of_vertices(1000);
+  check_refused(flat, square(), few, "maximum edge", "vertices");
+  check_refused(flat, square(), Criteria().set_max_edge(1e-300).set_min_edge(1e-300), "maximum edge", "vertices");
+}
+
+TEST(Bad_input, minimum_edge_that_needs_too_many_vertices)
+{
+  // the boundary would be halved down to the wanted size
+  const Criteria criteria = Criteria().set_max_edge(0.1).set_min_edge(1e-6).set_max_number_of_vertices(1000);
+  check_refused(flat, square(), Criteria(criteria).set_sizing_field([](double, double) { return 1e-4; }), "vertices");
+  const Sample_surface cylinder((CGAL::Parametric_cylinder_3<Test_kernel>(1)));
+  check_refused(cylinder, square(), Criteria(criteria).set_gamma(1e-5), "vertices");
+}
+
+TEST(Bad_input, sizing_field)
+{
+  for(double value : {0., -1., not_a_number}) {
+    const auto on_the_right = [value](double u, double v) { return is_on_the_right(u, v) ? value : 0.1; };
+    check_refused(flat, square(), small_edges().set_sizing_field(on_the_right), "sizing field", "not positive", "(u,v) = (");
+    const auto inside = [value](double u, double v) { return is_inside(u, v) ? value : 0.1; };
+    check_refused(flat, square(), small_edges().set_sizing_field(inside), "sizing field", "not positive", "(u,v) = (0.");
+  }
+}

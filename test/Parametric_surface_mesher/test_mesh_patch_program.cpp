@@ -1,0 +1,278 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The program mesh_patch from outside: command lines, exit statuses and files.
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+std::string content(const std::filesystem::path& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+// A directory of its own for each test, which goes away with it.
+class Mesh_patch_program : public testing::Test
+{
+protected:
+  struct Result
+  {
+    int status;
+    std::string out, err;
+  };
+
+  std::filesystem::path directory;
+
+  void SetUp() override
+  {
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    directory = std::filesystem::temp_directory_path() / ("mesh_patch_" + test + "_" + std::to_string(getpid()));
+    std::filesystem::create_directories(directory / "files");
+  }
+
+  void TearDown() override { std::filesystem::remove_all(directory); }
+
+  std::string file(const std::string& name) const { return (directory / "files" / name).string(); }
+
+  // runs the program in the directory "files", with arguments as in a shell
+  Result run(const std::string& arguments) const
+  {
+    const std::string command = "cd '" + (directory / "files").string() + "' && '" MESH_PATCH_PROGRAM "' " + arguments
+                                + " > ../out 2> ../err";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(directory / "out"), content(directory / "err")};
+  }
+
+  std::size_t number_of_files() const
+  {
+    return std::distance(std::filesystem::directory_iterator(directory / "files"), std::filesystem::directory_iterator());
+  }
+
+  nlohmann::json json(const std::string& arguments) const
+  {
+    const Result result = run(arguments + " --json result.json");
+    EXPECT_EQ(result.status, 0) << arguments << "\n" << result.err;
+    return nlohmann::json::parse(content(file("result.json")));
+  }
+
+  // One line on stderr that contains `hint`, status 2, nothing on stdout, no file.
+  void expect_refused(const std::string& arguments, const std::string& hint) const
+  {
+    const std::size_t before = number_of_files();
+    const Result result = run(arguments);
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << "\n" << result.err;
+    EXPECT_NE(result.err.find(hint), std::string::npos) << arguments << "\n" << result.err;
+    EXPECT_EQ(number_of_files(), before) << arguments;
+  }
+};
+
+const char* const teapot = PARAMETRIC_SURFACE_MESHER_DATA_DIR "/teapot.bpt";
+
+TEST_F(Mesh_patch_program, helps)
+{
+  const Result result = run("--help");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+  for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--angle", "--size-factor", "--distance", "--metric",
+                            "--division", "--out", "--uv", "--picture", "--uv-picture", "--ellipses", "--json", "--quiet",
+                            "principal-curvature", "stretch", ".bpt", "boundary_limited", "unmet"})
+    EXPECT_NE(result.out.find(option), std::string::npos) << option;
+}
+
+TEST_F(Mesh_patch_program, meshes_all_samples)
+{
+  for(const char* name : {"flat", "bend", "peak", "hole", "cap", "sphere", "torus", "cyl", "skew", "stretch"}) {
+    const Result result = run(name);
+    EXPECT_EQ(result.status, 0) << name;
+    EXPECT_EQ(result.err, "") << name;
+    EXPECT_EQ(result.out.find(std::string(name) + ": "), 0u) << result.out;
+    EXPECT_NE(result.out.find("smallest angle"), std::string::npos) << result.out;
+  }
+  EXPECT_EQ(number_of_files(), 0u);
+}
+
+TEST_F(Mesh_patch_program, is_quiet)
+{
+  const Result result = run("flat --quiet --json result.json");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out + result.err, "");
+  EXPECT_EQ(number_of_files(), 1u);
+}
+
+TEST_F(Mesh_patch_program, gives_all_numbers)
+{
+  const nlohmann::json result = json("bend --max-edge 0.1");
+  for(const char* key : {"vertices", "triangles", "boundary_limited", "unmet", "connected_components", "boundary_cycles",
+                         "border_edges", "euler_characteristic"})
+    EXPECT_TRUE(result.at(key).is_number_integer()) << key;
+  for(const char* key : {"min_angle", "mean_min_angle", "mean_radius_ratio", "max_deviation", "max_edge"})
+    EXPECT_TRUE(result.at(key).is_number_float()) << key;
+  EXPECT_EQ(result.at("name"), "bend");
+  EXPECT_EQ(result.at("closed"), false);
+  EXPECT_EQ(result.at("euler_characteristic"), 1);
+  EXPECT_EQ(result.at("inverted_triangles"), 0);
+
+  std::size_t unmet = 0;
+  for(const auto& count : result.at("unmet_by"))
+    unmet += count.at("triangles").get<std::size_t>();
+  EXPECT_EQ(result.at("unmet").get<std::size_t>() + result.at("boundary_limited").get<std::size_t>(), unmet);
+
+  double sum = 0;
+  for(const char* phase : {"division", "triangulation", "refinement", "improvement", "output"})
+    sum += result.at("seconds").at(phase).get<double>();
+  EXPECT_DOUBLE_EQ(result.at("seconds").at("meshing").get<double>(), sum);
+}
+
+TEST_F(Mesh_patch_program, writes_formats_that_cgal_reads)
+{
+  for(const char* surface : {"hole", teapot})
+    for(const char* ending : {".off", ".obj", ".ply", ".stl"}) {
+      const std::string out = std::string("out") + ending, uv = std::string("uv") + ending;
+      const nlohmann::json result
+        = json(std::string(surface) + " --max-edge 0.5 --gamma 0.3 --min-edge 0.1 --out " + out + " --uv " + uv);
+      Mesh mesh, domain_mesh;
+      ASSERT_TRUE(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file(out), mesh)) << surface << " " << out;
+      EXPECT_EQ(mesh.number_of_faces(), result.at("triangles")) << surface << " " << out;
+      ASSERT_TRUE(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file(uv), domain_mesh)) << surface << " " << uv;
+      EXPECT_EQ(domain_mesh.number_of_faces(), result.at("triangles")) << surface << " " << uv;
+      for(const auto v : domain_mesh.vertices())
+        EXPECT_EQ(domain_mesh.point(v).z(), 0);
+    }
+}
+
+TEST_F(Mesh_patch_program, keeps_all_digits_and_the_order_of_vertices)
+{
+  json("skew --out out.off --uv uv.off");
+  Mesh mesh, domain_mesh;
+  ASSERT_TRUE(CGAL::IO::read_OFF(file("out.off"), mesh));
+  ASSERT_TRUE(CGAL::IO::read_OFF(file("uv.off"), domain_mesh));
+  ASSERT_EQ(mesh.number_of_vertices(), domain_mesh.number_of_vertices());
+  for(const auto v : mesh.vertices()) { // x = u + 3v, y = v
+    EXPECT_EQ(mesh.point(v).x(), domain_mesh.point(v).x() + 3 * domain_mesh.point(v).y());
+    EXPECT_EQ(mesh.point(v).y(), domain_mesh.point(v).y());
+  }
+}
+
+TEST_F(Mesh_patch_program, draws_pictures)
+{
+  json("peak --picture surface.svg --uv-picture domain.svg --ellipses 20");
+  for(const char* name : {"surface.svg", "domain.svg"}) {
+    const std::string svg = content(file(name));
+    EXPECT_EQ(svg.find("<svg "), 0u) << name;
+    EXPECT_NE(svg.find("</svg>"), std::string::npos) << name;
+  }
+  const std::string domain = content(file("domain.svg"));
+  std::size_t centers = 0;
+  for(std::size_t i = domain.find("<circle"); i != std::string::npos; i = domain.find("<circle", i + 1))
+    ++centers;
+  EXPECT_EQ(centers, 20u);
+}
+
+TEST_F(Mesh_patch_program, follows_a_prescribed_division)
+{
+  const nlohmann::json result = json("hole --max-edge 0.5 --division 10,10,10,10,400");
+  EXPECT_EQ(result.at("border_edges"), 440);
+  EXPECT_EQ(json("flat --max-edge 0.25 --division 8,0,0,0").at("border_edges"), 8 + 3 * 4);
+}
+
+TEST_F(Mesh_patch_program, joins_the_patches_of_the_teapot)
+{
+  const nlohmann::json result = json(std::string(teapot) + " --max-edge 0.3 --gamma 0.2");
+  EXPECT_EQ(result.at("connected_components"), 4);
+  EXPECT_EQ(result.at("manifold"), true);
+  EXPECT_EQ(result.at("inverted_triangles"), 0);
+}
+
+TEST_F(Mesh_patch_program, knows_both_metrics)
+{
+  EXPECT_EQ(json("torus --metric first-fundamental-form").at("metric"), "first-fundamental-form");
+  EXPECT_EQ(json("torus --metric principal-curvature").at("metric"), "principal-curvature");
+}
+
+TEST_F(Mesh_patch_program, replaces_its_files)
+{
+  json("flat --max-edge 0.5 --out out.off");
+  const std::string coarse = content(file("out.off"));
+  json("flat --max-edge 0.2 --out out.off");
+  EXPECT_GT(content(file("out.off")).size(), coarse.size());
+}
+
+TEST_F(Mesh_patch_program, refuses_bad_command_lines)
+{
+  expect_refused("", "--help");
+  expect_refused("--quiet", "--help");
+  expect_refused("flat --wrong", "--wrong");
+  expect_refused("flat --max-ed 0.1", "--max-ed");
+  expect_refused("flat -q", "-q");
+  expect_refused("flat peak", "more than one");
+  expect_refused("flat --max-edge", "--max-edge");
+  expect_refused("flat --max-edge 0.1 --max-edge 0.2", "--max-edge");
+  expect_refused("flat --max-edge ten", "ten");
+  expect_refused("flat --max-edge 1e-2x", "1e-2x");
+}
+
+TEST_F(Mesh_patch_program, refuses_impossible_values)
+{
+  for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--size-factor", "--distance"})
+    for(const char* value : {"0", "-1", "nan", "inf", "1e999"})
+      expect_refused(std::string("flat --out out.off ") + option + " " + value, option);
+  for(const char* value : {"-1", "60", "90", "nan"})
+    expect_refused(std::string("flat --angle ") + value, "--angle");
+  expect_refused("flat --max-edge 0.1 --min-edge 0.2", "--min-edge");
+  expect_refused("flat --min-edge 5", "--min-edge");
+  expect_refused("flat --metric euclidean", "euclidean");
+  expect_refused("flat --ellipses 5", "--uv-picture");
+  expect_refused("flat --ellipses -5 --uv-picture u.svg", "--ellipses");
+  for(const char* value : {"1,2", "1,2,3,4,5", "a,b,c,d", "-1,1,1,1", "1,,1,1", "99999999,1,1,1", "''"})
+    expect_refused(std::string("flat --division ") + value, "--division");
+  expect_refused(std::string(teapot) + " --division 1,2,3", "--division");
+}
+
+TEST_F(Mesh_patch_program, refuses_bad_files)
+{
+  expect_refused("nothing", "peak");
+  expect_refused("missing.bpt", "missing.bpt");
+  std::ofstream(file("bad.bpt")) << "1\n3 3\n0 0 zero\n";
+  expect_refused("bad.bpt --out out.off", "bad.bpt, line 3");
+  expect_refused("flat --out out.vtk", ".ply");
+  expect_refused("flat --uv uv", ".off");
+  expect_refused("flat --picture p.jpg", ".svg");
+  expect_refused("flat --uv-picture p.png", ".svg");
+  expect_refused("flat --json j.txt", ".json");
+  expect_refused("flat --out no/such/directory/out.off", "out.off");
+  expect_refused("flat --out same.off --uv same.off", "same.off");
+  expect_refused("flat --out out.off --json no/such/result.json", "result.json");
+}
+
+TEST_F(Mesh_patch_program, keeps_old_files_if_meshing_fails)
+{
+  std::ofstream(file("out.off")) << "old";
+  // a division into two edges in all cannot bound the hole
+  expect_refused("hole --division 1,1,1,1,2 --out out.off", "loop 1");
+  EXPECT_EQ(content(file("out.off")), "old");
+}
+
+} // namespace

@@ -1,0 +1,173 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a user can ask of the size of triangles: edge lengths, a sizing field, a distance, a criterion of their own.
+#include <CGAL/Triangle_mesh_deviation.h>
+
+#include <gtest/gtest.h>
+
+#include <Sample_surfaces.h>
+#include <mesher_test_helpers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace {
+
+// triangles must be small to the right of u = 0.5
+class Right_side_criteria
+  : public Criteria
+{
+  double m_max_edge_on_the_right;
+
+public:
+  explicit Right_side_criteria(const Criteria& criteria, double max_edge_on_the_right)
+    : Criteria(criteria), m_max_edge_on_the_right(max_edge_on_the_right)
+  {}
+
+  template <class Oracle>
+  class Is_bad
+    : public Criteria::Is_bad<Oracle>
+  {
+    typedef Criteria::Is_bad<Oracle> Base;
+
+    double m_max_edge;
+
+  public:
+    Is_bad(const Right_side_criteria& criteria, const Oracle& oracle)
+      : Base(criteria, oracle), m_max_edge(criteria.m_max_edge_on_the_right)
+    {}
+
+    using Base::operator();
+
+    template <class Face_handle>
+    CGAL::Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
+    {
+      const CGAL::Mesh_2::Face_badness badness = Base::operator()(f, quality);
+      if(badness != CGAL::Mesh_2::NOT_BAD)
+        return badness;
+      quality.criterion = CGAL::Mesh_criterion::USER;
+      quality.badness = 0;
+      for(int i = 0; i < 3; ++i) {
+        const auto &p = f->vertex(i)->point(), &q = f->vertex((i + 1) % 3)->point();
+        if(!f->is_constrained((i + 2) % 3) && p.x() > 0.5 && q.x() > 0.5)
+          quality.badness = (std::max)(quality.badness, squared_distance(p.surface_point(), q.surface_point())
+                                                          / (m_max_edge * m_max_edge));
+      }
+      return (*this)(quality);
+    }
+  };
+
+  template <class Oracle>
+  Is_bad<Oracle> is_bad_object(const Oracle& oracle) const
+  {
+    return Is_bad<Oracle>(*this, oracle);
+  }
+};
+
+} // namespace
+
+TEST(Mesh_sizes, number_of_triangles)
+{
+  for(const std::string name : {"flat", "cap", "skew", "stretch"})
+    for(double n : {1000., 10000.}) {
+      const Sample sample = make_sample(name);
+      Mesh mesh;
+      add_patch(sample.surface, sample.domain, Criteria().set_max_edge(sample.edge_length(n)), mesh);
+      EXPECT_NEAR(n, double(mesh.number_of_faces()), 0.2 * n) << name;
+    }
+}
+
+TEST(Mesh_sizes, default_sizes)
+{
+  const Sample cap = make_sample("cap");
+  Mesh mesh;
+  const Report report = add_patch(cap.surface, cap.domain, Criteria(), mesh);
+  EXPECT_EQ(0u, report.unmet.size());
+  EXPECT_GT(mesh.number_of_faces(), 200u);
+  EXPECT_LT(mesh.number_of_faces(), 5000u);
+}
+
+TEST(Mesh_sizes, sizing_field)
+{
+  const Sample hole = make_sample("hole");
+  const auto size = [](double u, double v) { return 0.02 + 0.15 * std::hypot(u + 0.5, v + 0.5); };
+  Mesh mesh;
+  const Report report
+    = add_patch(hole.surface, hole.domain, Criteria().set_max_edge(1).set_min_edge(0.001).set_sizing_field(size), mesh);
+  EXPECT_EQ(0u, report.unmet.size());
+  const Uv_map uv = uv_map(mesh);
+  double sum = 0;
+  for(const auto e : mesh.edges()) {
+    const Point_2 middle = CGAL::midpoint(uv[mesh.vertex(e, 0)], uv[mesh.vertex(e, 1)]);
+    const double ratio = length(mesh, e) / size(middle.x(), middle.y());
+    EXPECT_LT(ratio, 2) << middle;
+    EXPECT_GT(ratio, 0.25) << middle;
+    sum += ratio;
+  }
+  EXPECT_NEAR(0.9, sum / double(mesh.number_of_edges()), 0.2);
+}
+
+TEST(Mesh_sizes, minimum_edge)
+{
+  // gamma asks for far less than the minimum edge
+  const Sample peak = make_sample("peak");
+  Mesh mesh;
+  const Criteria criteria = Criteria().set_max_edge(0.2).set_min_edge(0.05).set_gamma(0.001);
+  const Report report = add_patch(peak.surface, peak.domain, criteria, mesh);
+  double shortest = std::numeric_limits<double>::infinity();
+  for(const auto e : mesh.edges())
+    shortest = (std::min)(shortest, length(mesh, e));
+  EXPECT_GE(shortest, 0.25 * criteria.min_edge()); // a new point may be nearer to others than to its own triangle
+  const auto unmet = unmet_by_face(report);
+  for(const auto f : mesh.faces())
+    EXPECT_TRUE(unmet.count(f) == 1 || deviation(mesh, f, peak.surface, 0.05) <= 0.001 * (1 + 1e-6)) << f;
+}
+
+TEST(Mesh_sizes, distance)
+{
+  for(const std::string name : {"peak", "cap", "bend"}) {
+    const Sample sample = make_sample(name);
+    for(double distance : {0.01, 0.001}) {
+      SCOPED_TRACE(name + " " + std::to_string(distance));
+      Mesh mesh;
+      const Criteria criteria = Criteria().set_max_edge(0.5).set_min_edge(1e-4).set_gamma(1).set_distance(distance);
+      const Report report = add_patch(sample.surface, sample.domain, criteria, mesh);
+      for(const auto& unmet : report.unmet)
+        EXPECT_EQ(CGAL::Unmet_cause::BOUNDARY, unmet.cause) << unmet.face;
+      // sampled at 45 points of each triangle, where the mesher looks at four: hence the allowance
+      const auto found = CGAL::triangle_mesh_deviation(mesh, sample.surface, uv_map(mesh), 8);
+      EXPECT_LE(found.max_distance_to_face, 1.3 * distance);
+      EXPECT_GE(found.max_distance_to_face, 0.2 * distance) << "the mesh is much too fine";
+    }
+  }
+}
+
+TEST(Mesh_sizes, criterion_of_a_derived_class)
+{
+  const Sample flat = make_sample("flat");
+  const Right_side_criteria criteria(Criteria().set_max_edge(0.1).set_min_edge(0.001), 0.05);
+  Mesh mesh;
+  const Report report = add_patch(flat.surface, flat.domain, criteria, mesh);
+  const auto unmet = unmet_by_face(report);
+  std::size_t on_the_right = 0;
+  for(const auto f : mesh.faces()) {
+    const auto v = corners(mesh, f);
+    const bool is_right = mesh.point(v[0]).x() > 0.5 && mesh.point(v[1]).x() > 0.5 && mesh.point(v[2]).x() > 0.5;
+    on_the_right += is_right;
+    EXPECT_TRUE(!is_right || touches_border(mesh, f) || unmet.count(f) == 1 || shape(mesh, f).longest <= 0.05 * (1 + 1e-9))
+      << f;
+  }
+  EXPECT_GT(on_the_right, 3 * mesh.number_of_faces() / 4);
+}
+
+TEST(Mesh_sizes, derived_criterion_that_cannot_be_met_is_reported)
+{
+  const Sample flat = make_sample("flat");
+  const Right_side_criteria criteria(Criteria().set_max_edge(0.1).set_min_edge(0.03), 0.01);
+  Mesh mesh;
+  const Report report = add_patch(flat.surface, flat.domain, criteria, mesh);
+  EXPECT_GT(report.count(CGAL::Mesh_criterion::USER, CGAL::Unmet_cause::MINIMUM_EDGE), 0u);
+}
