@@ -4,6 +4,8 @@
 #define CGAL_PARAMETRIC_SURFACE_ORACLE_3_H
 
 #include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/describe.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <algorithm>
@@ -22,6 +24,19 @@ template <class Surface, class Point_2>
 Point_2 domain_middle(const Surface&, const Point_2& p, const Point_2& q)
 {
   return Point_2(0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y()));
+}
+
+// What the user knows of a point: its place in the domain. A surface in other coordinates has an overload.
+template <class Surface, class Point_2>
+Point_2 place_in_domain(const Surface&, const Point_2& p)
+{
+  return p;
+}
+
+template <class Surface, class Point_2>
+void throw_not_finite(const Surface& surface, const Point_2& p)
+{
+  throw Parametric_surface_mesh_error("the surface is not finite at (u,v) = " + describe(place_in_domain(surface, p)));
 }
 
 } // namespace internal
@@ -82,6 +97,7 @@ public:
 
   /*!
   the squared height `H` of the surface over the edge from `p` to `q`.
+  \throws Parametric_surface_mesh_error if the surface is not finite there
   \param gamma the deviation ratio that it will be compared with
   */
   template <class ParametricPoint>
@@ -93,15 +109,23 @@ public:
     const Point_3 &a = p.surface_point(), &b = q.surface_point();
     const bool is_near = !m_singular_points.empty()
                          && is_near_singular_point(midpoint(a, b), std::sqrt(squared_distance(a, b)) / (6 * gamma));
-    if(!is_near)
-      return vector_from_line(m_surface.point(middle.x(), middle.y()), a, b).squared_length();
+    const double result = is_near ? squared_height_along_normal(middle, a, b)
+                                  : vector_from_line(m_surface.point(middle.x(), middle.y()), a, b).squared_length();
+    if(!std::isfinite(result))
+      Parametric_surface_mesher::internal::throw_not_finite(m_surface, middle);
+    return result;
+  }
+
+private:
+  template <class Point_2>
+  double squared_height_along_normal(const Point_2& middle, const Point_3& a, const Point_3& b) const
+  {
     const Surface_jet_3<Geom_traits> jet = m_surface.jet(middle.x(), middle.y());
     const Vector_3 normal = cross_product(jet.du, jet.dv), height = vector_from_line(jet.point, a, b);
     const double along = height * normal, length = normal.squared_length();
     return length > 0 ? along * along / length : height.squared_length();
   }
 
-private:
   // from the line through `a` and `b` to `x`, perpendicular
   static Vector_3 vector_from_line(const Point_3& x, const Point_3& a, const Point_3& b)
   {

@@ -192,7 +192,8 @@ private:
     const double reference = m_criteria.curve_deviation() == Curve_deviation::HEIGHT_OVER_CHORD
                                ? std::sqrt(squared_chord)
                                : m_curve.curvature_radius(interpolate(from, to, 0.5));
-    return std::sqrt(squared_height) > m_criteria.gamma() * reference;
+    const double height = std::sqrt(squared_height);
+    return height > m_criteria.gamma() * reference || (m_criteria.distance() > 0 && height > m_criteria.distance());
   }
 };
 
@@ -203,7 +204,7 @@ private:
 \ingroup PkgParametricSurfaceMesherDomain
 
 divides a curve in space (paper, section "Curve Division"): into `N = length / max_edge` pieces of equal length (eq. 1),
-rounded up; then each piece in halves while its deviation is above `gamma` and the half is not shorter than `min_edge`.
+rounded up; then each piece in halves while its deviation is above `gamma`, or its arc height above `distance`, and the half is not shorter than `min_edge`.
 
 Two rules go beyond the paper, so that triangles along the curve can be well shaped: a piece is halved too while it is more than 1.4 times as
 long as `size` wants, and after that pieces more than twice as long as a neighbour are.

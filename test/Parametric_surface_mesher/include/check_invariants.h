@@ -26,7 +26,8 @@ Boundary_loops division(const Surface& surface, const Domain& domain, const Crit
   Domain closed = domain;
   CGAL::Parametric_surface_mesher::internal::close_loops(closed);
   return CGAL::Parametric_surface_mesher::internal::divide_domain(
-    CGAL::make_parametric_surface_oracle(surface, metric, {}), closed, criteria);
+    CGAL::make_parametric_surface_oracle(surface, metric, {}), closed,
+    CGAL::Parametric_surface_mesher::internal::boundary_diagonal(surface, closed), criteria);
 }
 
 // The points of the division are the first vertices, in order and to the last bit; its edges are the border.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -75,8 +76,10 @@ double squared_distance_to_surface(Face_handle f, const Oracle& oracle, double g
   const auto normal = cross_product(q - p, r - p);
   const double area = normal * normal;
   if(area > 0) {
-    const double height
-      = normal * (oracle.surface().point((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3) - p);
+    const typename Oracle::Geom_traits::Point_2 centroid((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
+    const double height = normal * (oracle.surface().point(centroid.x(), centroid.y()) - p);
+    if(!std::isfinite(height))
+      throw_not_finite(oracle.surface(), centroid);
     worst = (std::max)(worst, height * height / area);
   }
   return worst;

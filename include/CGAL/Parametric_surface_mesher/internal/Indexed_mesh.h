@@ -3,8 +3,8 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_INDEXED_MESH_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_INDEXED_MESH_H
 
-#include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/Parametric_surface_mesher/internal/Triangle_adder.h>
+#include <CGAL/Parametric_surface_mesher/internal/Triangle_twins.h>
 
 #include <array>
 #include <cstddef>
@@ -58,24 +58,15 @@ make_output_maps(const VertexPointMap& vertex_point_map, const VertexUvMap& vert
   return {vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map};
 }
 
-template <class Kernel, class Triangles, class Face, class TriangleMesh, class Maps>
-void put_face_properties(const Indexed_mesh<Kernel>& mesh, std::size_t i, const Triangles& triangles, Face f,
-                         TriangleMesh& tm, const Maps& maps)
-{
-  put(maps.face_patch_id_map, f, mesh.patches[i]);
-  if(!mesh.keeps_corner_points)
-    return;
-  for(const auto h : halfedges_around_face(halfedge(f, tm), tm))
-    for(int k = 0; k < 3; ++k)
-      if(triangles[i][k] == target(h, tm))
-        put(maps.halfedge_uv_map, h, mesh.corner_points[i][k]);
-}
-
 // Adds an indexed mesh to a face graph: vertices and faces in their order.
+// throws Parametric_surface_mesh_error, before anything is added, if the triangles cannot be faces of one
 template <class Kernel, class TriangleMesh, class Maps>
 void add_to_face_graph(const Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const Maps& maps)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  const Triangle_twins twins(mesh.faces, mesh.points.size());
+  reserve(tm, num_vertices(tm) + mesh.points.size(), num_edges(tm) + 3 * mesh.faces.size() / 2,
+          num_faces(tm) + mesh.faces.size());
   std::vector<vertex_descriptor> vertices;
   vertices.reserve(mesh.points.size());
   for(std::size_t i = 0; i < mesh.points.size(); ++i) {
@@ -84,16 +75,14 @@ void add_to_face_graph(const Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const
     put(maps.vertex_uv_map, v, mesh.domain_points[i]);
     vertices.push_back(v);
   }
-  std::vector<std::array<vertex_descriptor, 3>> triangles;
-  triangles.reserve(mesh.faces.size());
-  for(const auto& f : mesh.faces)
-    triangles.push_back({vertices[f[0]], vertices[f[1]], vertices[f[2]]});
-  const std::size_t number_of_old_faces = num_faces(tm);
-  Euler::add_faces(triangles, tm);
-  std::size_t position = 0;
-  for(const auto f : faces(tm)) // the new ones come last, in their order
-    if(position++ >= number_of_old_faces)
-      put_face_properties(mesh, position - 1 - number_of_old_faces, triangles, f, tm, maps);
+  Triangle_adder<TriangleMesh> add(twins, vertices, tm);
+  const auto faces = add(mesh.faces.size());
+  for(std::size_t f = 0; f < faces.size(); ++f) {
+    put(maps.face_patch_id_map, faces[f], mesh.patches[f]);
+    if(mesh.keeps_corner_points)
+      for(std::size_t k = 0; k < 3; ++k)
+        put(maps.halfedge_uv_map, add.halfedge_of_side(3 * f + k), mesh.corner_points[f][(k + 1) % 3]);
+  }
 }
 
 } // namespace internal

@@ -77,12 +77,13 @@ private:
                                                     : m_spacing_limit(uv, m_oracle.surface().domain_jet(uv));
   }
 
-  static void check_finite(const Point_2& uv, const Point_3& p, const Metric_tensor_2& m)
+  void check_finite(const Point_2& uv, const Point_3& p, const Metric_tensor_2& m) const
   {
     if(!std::isfinite(p.x() + p.y() + p.z()))
-      throw Parametric_surface_mesh_error("the surface is not finite at (u,v) = " + describe(uv));
+      throw_not_finite(m_oracle.surface(), uv);
     if(!std::isfinite(m.e() + m.f() + m.g()))
-      throw Parametric_surface_mesh_error("the metric tensor is not finite at (u,v) = " + describe(uv));
+      throw Parametric_surface_mesh_error("the metric tensor is not finite at (u,v) = "
+                                          + describe(place_in_domain(m_oracle.surface(), uv)));
   }
 
   // beyond this ratio of eigenvalues the determinant is rounding noise
