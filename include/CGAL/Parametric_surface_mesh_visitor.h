@@ -16,7 +16,7 @@ The default visitor of the meshing functions, which does nothing. Derive from it
 */
 struct Parametric_surface_mesh_visitor
 {
-  /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"output"`.
+  /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"improvement"`, `"output"`.
   void on_phase(const char* /* name */) {}
 
   /// called during refinement, once for some hundred new vertices.

@@ -9,8 +9,8 @@ Shows the progress of meshing, and can stop it.
 class ParametricSurfaceMeshVisitor
 {
 public:
-  /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"output"`. For a model of
-  /// several patches, triangulation and refinement alternate, patch by patch.
+  /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"improvement"`, `"output"`. For a model of
+  /// several patches, triangulation, refinement and improvement alternate, patch by patch.
   void on_phase(const char* name);
 
   /// called during refinement, once for some hundred new vertices.

@@ -85,6 +85,7 @@ public:
   }
 
   const Is_bad& is_bad() const { return m_is_bad; }
+  bool is_stopped() const { return m_is_stopped; }
 
   // why a bad face was left
   Unmet_cause cause(Face_handle face) const

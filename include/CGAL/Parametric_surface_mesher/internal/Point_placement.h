@@ -53,15 +53,23 @@ public:
     positions.push_back(barycentric(face, {1. / 3, 1. / 3, 1. / 3}));
   }
 
-  // The apices of isosceles triangles on the left of the edge from `p` to `q`, perpendicular to it under the tensor.
+  // The apex of an isosceles triangle on the left of the edge from `p` to `q`, perpendicular to it under the tensor. The
+  // height is given as a multiple of the edge.
+  template <class Point>
+  static Point_2 apex(const Point& p, const Point& q, double height)
+  {
+    const Metric_tensor_2 m = p.tensor() + q.tensor();
+    const double du = q.x() - p.x(), dv = q.y() - p.y(), scale = height / std::sqrt(m.determinant());
+    return Point_2(0.5 * (p.x() + q.x()) - scale * (m.f() * du + m.g() * dv),
+                   0.5 * (p.y() + q.y()) + scale * (m.e() * du + m.f() * dv));
+  }
+
+  // Positions over a boundary edge, inside the domain.
   template <class Point>
   static void append_apices(const Point& p, const Point& q, std::vector<Point_2>& positions)
   {
-    const Metric_tensor_2 m = p.tensor() + q.tensor();
-    const double du = q.x() - p.x(), dv = q.y() - p.y(), scale = 1 / std::sqrt(m.determinant());
-    const double nu = -scale * (m.f() * du + m.g() * dv), nv = scale * (m.e() * du + m.f() * dv);
     for(double height : {0.87, 0.6, 1.2})
-      positions.emplace_back(0.5 * (p.x() + q.x()) + height * nu, 0.5 * (p.y() + q.y()) + height * nv);
+      positions.push_back(apex(p, q, height));
   }
 
 private:

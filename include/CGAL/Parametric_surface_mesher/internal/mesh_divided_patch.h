@@ -11,6 +11,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_collector.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_refinement.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_repair.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulate_boundary.h>
@@ -47,7 +48,7 @@ Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
   return result;
 }
 
-// From the divided boundary of a patch to its triangles, which are appended to `mesh`: triangulation, refinement, output.
+// From the divided boundary of a patch to its triangles, which are appended to `mesh`: triangulation, refinement, improvement, output.
 // A patch with poles is meshed in the coordinates of a chart.
 // \pre the boundary vertices are in `mesh` already
 template <class Oracle, class Criteria, class Visitor>
@@ -82,6 +83,12 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
     visitor.on_phase("refinement");
     refine();
     report.number_of_replaced_tensors += refine.number_of_replaced_tensors();
+  }
+  if(!refine.is_stopped()) {
+    Phase_timer timer(report.seconds.improvement);
+    visitor.on_phase("improvement");
+    Patch_repair<Evaluator, typename Refinement::Is_bad> repair(triangulation, evaluator, refine.is_bad());
+    repair();
   }
   Phase_timer timer(report.seconds.output);
   Patch_collector<Kernel> collect(triangulation, surface.chart(), mesh, report);
