@@ -43,15 +43,24 @@ double double_area_seen_from(const typename Kernel::Point_2& origin, const Domai
   return sum;
 }
 
+// The box around the curves of a loop.
+template <class Loop, class CurveOf>
+Bbox_2 loop_box(const Loop& loop, CurveOf curve_of)
+{
+  Bbox_2 box;
+  for(const auto& item : loop)
+    for(const auto& p : sample(curve_of(item)))
+      box += p.bbox();
+  return box;
+}
+
 // The box around the curves of loops.
 template <class Loops, class CurveOf>
 Bbox_2 domain_box(const Loops& loops, CurveOf curve_of)
 {
   Bbox_2 box;
   for(const auto& loop : loops)
-    for(const auto& item : loop)
-      for(const auto& p : sample(curve_of(item)))
-        box += p.bbox();
+    box += loop_box(loop, curve_of);
   return box;
 }
 

@@ -51,6 +51,10 @@ void close_loops(Parametric_domain_2<Kernel>& domain)
                                             + describe(next.source()));
       curve.set_end_points(curve.source(), next.source());
     }
+    const Bbox_2 box = loop_box(loop, [](const auto& curve) -> const auto& { return curve; });
+    if(box.xmin() == box.xmax() && box.ymin() == box.ymax())
+      throw Parametric_surface_mesh_error("loop " + std::to_string(l) + " has area zero: all of it is at (u,v) = "
+                                          + describe(loop.front().source()));
   }
 }
 
