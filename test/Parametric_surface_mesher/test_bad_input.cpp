@@ -3,6 +3,7 @@
 //
 // Input that cannot be meshed: an exception that names the place, and an output mesh that is as it was.
 // This file is compiled with NDEBUG too.
+#include <CGAL/boost/graph/generators.h>
 #include <gtest/gtest.h>
 
 #include <Sample_surfaces.h>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Models of several patches: what is joined, what is refused, and that the meshes have no crack.
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/IO/read_bezier_patches.h>
 #include <CGAL/Parametric_primitive_surfaces_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>

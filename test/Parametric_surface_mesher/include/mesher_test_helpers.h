@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -28,7 +30,11 @@ typedef CGAL::Parametric_surface_mesh_report Report;
 // The domain points of a mesh; the map is added if there is none.
 inline Uv_map uv_map(Mesh& mesh) { return mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv", Point_2(0, 0)).first; }
 
-inline Uv_map uv_map(const Mesh& mesh) { return mesh.property_map<Mesh::Vertex_index, Point_2>("v:uv").first; }
+// what Surface_mesh::property_map() returns in CGAL 5, and in CGAL 6
+inline Uv_map value_of(const std::pair<Uv_map, bool>& found) { return found.first; }
+inline Uv_map value_of(const std::optional<Uv_map>& found) { return found.value(); }
+
+inline Uv_map uv_map(const Mesh& mesh) { return value_of(mesh.property_map<Mesh::Vertex_index, Point_2>("v:uv")); }
 
 // Adds the mesh of a patch to `mesh`, with its domain points.
 template <class Surface, class AnyCriteria, class... Parameters>

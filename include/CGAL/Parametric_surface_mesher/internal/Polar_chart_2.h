@@ -89,7 +89,7 @@ public:
     if(r >= 1)
       return Point_2(1, 0);
     const Complex e = std::polar((std::max)(r, 0.) / (1 - r), theta);
-    const Complex z = (e - 1.) / (e + 1.);
+    const Complex z = product(e - 1., reciprocal(e + 1.));
     return Point_2(z.real(), z.imag());
   }
 
@@ -116,8 +116,8 @@ public:
   {
     const Complex z(point.x(), point.y());
     const double a = log_e(z).real(), r = r_of(a);
-    const Complex d = m_number_of_poles == 1 ? 1. / z : 2. / (1. - z * z);
-    const Complex dd = m_number_of_poles == 1 ? -1. / (z * z) : z * d * d;
+    const Complex d = m_number_of_poles == 1 ? reciprocal(z) : 2. * reciprocal(1. - product(z, z));
+    const Complex dd = m_number_of_poles == 1 ? -product(d, d) : product(z, product(d, d));
     const double r1 = m_across_per_r * (m_number_of_poles == 1 ? r : r * (1 - r));
     const double r2 = m_number_of_poles == 1 ? r1 : r1 * (1 - 2 * r);
     const double t = 1 / m_theta_per_along;
@@ -148,9 +148,25 @@ private:
       m_theta_per_along = -m_theta_per_along;
   }
 
+  // in real arithmetic: the complex functions of the standard library take several times as long
   Complex log_e(const Complex& z) const
   {
-    return m_number_of_poles == 1 ? std::log(z) : std::log((1. + z) / (1. - z));
+    const double x = z.real(), y = z.imag();
+    if(m_number_of_poles == 1)
+      return Complex(0.5 * std::log(x * x + y * y), std::atan2(y, x));
+    const double below = (1 + x) * (1 + x) + y * y, above = (1 - x) * (1 - x) + y * y;
+    return Complex(0.5 * std::log(below / above), std::atan2(2 * y, 1 - x * x - y * y));
+  }
+
+  static Complex reciprocal(const Complex& z)
+  {
+    const double n = z.real() * z.real() + z.imag() * z.imag();
+    return Complex(z.real() / n, -z.imag() / n);
+  }
+
+  static Complex product(const Complex& z, const Complex& w)
+  {
+    return Complex(z.real() * w.real() - z.imag() * w.imag(), z.real() * w.imag() + z.imag() * w.real());
   }
 
   double r_of(double log_of_modulus) const
