@@ -12,11 +12,11 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
-#include <utility>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
+#include <utility>
 
 typedef Test_kernel::Point_2 Point_2;
 typedef Test_kernel::Vector_2 Vector_2;
