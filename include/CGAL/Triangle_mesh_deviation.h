@@ -33,6 +33,9 @@ to the edge's line of the surface point in the middle of the edge in the domain.
 struct Triangle_mesh_deviation
 {
   double max_inner_deviation_ratio = 0;  ///< the largest deviation ratio of the edges of two faces
+  /// the same with the part of `H` along the surface normal alone: the rest tells how far the image of the straight domain line bends
+  /// within the surface, as it does around a pole however short the edge is
+  double max_inner_normal_deviation_ratio = 0;
   double max_border_deviation_ratio = 0; ///< the largest deviation ratio of the edges of one face
   std::size_t number_of_skipped_edges = 0; ///< edges of length 0 or below the minimum, in neither of the two
   double max_distance_to_face = 0;       ///< the largest distance of a sampled surface point to its face
@@ -96,6 +99,8 @@ public:
     const Vector_3 moment = cross(chord, m_traits.construct_vector_3_object()(p.point, middle));
     raise(is_border ? m_deviation.max_border_deviation_ratio : m_deviation.max_inner_deviation_ratio,
           norm(moment) / length / length);
+    if(!is_border)
+      raise(m_deviation.max_inner_normal_deviation_ratio, height_along_normal(p, q, chord, middle) / length);
   }
 
   void add_face(const Vertex& p, const Vertex& q, const Vertex& r)
@@ -117,6 +122,15 @@ public:
   }
 
 private:
+  // Of the vector from the edge's line to the surface point over its middle, the part along the normal there.
+  double height_along_normal(const Vertex& p, const Vertex& q, const Vector_3& chord, const Point_3& middle) const
+  {
+    const auto jet = m_surface.jet((p.uv.x() + q.uv.x()) / 2, (p.uv.y() + q.uv.y()) / 2);
+    const Vector_3 normal = cross(jet.du, jet.dv), side = middle - p.point;
+    const Vector_3 height = side - (side * chord) / (chord * chord) * chord;
+    return norm(normal) > 0 ? std::fabs(height * normal) / norm(normal) : norm(height);
+  }
+
   static void raise(double& largest, double value) { largest = (std::max)(largest, value); }
 
   static void check(bool is_good, const char* what, double u, double v)

@@ -101,12 +101,39 @@ TEST(Triangle_mesh_deviation, cylinder)
   const double ratio = std::tan(cylinder_angle / 4) / 2;
   EXPECT_NEAR(deviation.max_border_deviation_ratio, ratio, 1e-15);
   EXPECT_NEAR(deviation.max_inner_deviation_ratio, ratio, 1e-15);
+  EXPECT_NEAR(deviation.max_inner_normal_deviation_ratio, ratio, 1e-15);
   EXPECT_EQ(deviation.number_of_skipped_edges, 0u);
   // the samples in the middle of a column lie above its plane by the arc height
   EXPECT_NEAR(deviation.max_distance_to_face, 1 - std::cos(cylinder_angle / 2), 1e-15);
   EXPECT_EQ(deviation.max_distance_to_vertex, 0);
   EXPECT_EQ(deviation.number_of_inverted_faces, 0u);
   EXPECT_EQ(deviation.number_of_domain_violations, 0u);
+}
+
+// the plane in polar coordinates
+struct Polar_plane
+{
+  typedef Cylinder::Geom_traits Geom_traits;
+  typedef Geom_traits::Point_3 Point_3;
+  typedef Geom_traits::Vector_3 Vector_3;
+
+  Point_3 point(double u, double v) const { return Point_3(v * std::cos(u), v * std::sin(u), 0); }
+
+  CGAL::Surface_jet_3<Geom_traits> jet(double u, double v) const
+  {
+    const double c = std::cos(u), s = std::sin(u);
+    return {point(u, v), Vector_3(-v * s, v * c, 0), Vector_3(c, s, 0), Vector_3(-v * c, -v * s, 0),
+            Vector_3(-s, c, 0), Vector_3(0, 0, 0)};
+  }
+};
+
+TEST(Triangle_mesh_deviation, lines_that_bend_within_the_surface)
+{
+  const Grid grid(Polar_plane(), 2, 2, Point_2(0, 1), cylinder_angle, 1);
+  const auto deviation = CGAL::triangle_mesh_deviation(grid.mesh, Polar_plane(), grid.uv, 2);
+  // the inner edges along u are chords of circles, as on the cylinder, but all of it lies in the plane
+  EXPECT_GE(deviation.max_inner_deviation_ratio, std::tan(cylinder_angle / 4) / 2 - 1e-15);
+  EXPECT_NEAR(deviation.max_inner_normal_deviation_ratio, 0, 1e-15);
 }
 
 TEST(Triangle_mesh_deviation, short_edges_are_skipped)

@@ -63,6 +63,8 @@ const char* const conclusion =
   "  mean_radius_ratio             mean of 2r/R, which is 1 for equilateral triangles\n"
   "  max_deviation                 largest H/L of the inner edges of all patches that are\n"
   "                                not shorter than --min-edge, measured after meshing\n"
+  "  max_normal_deviation          the same with the part of H along the surface normal; around\n"
+  "                                poles only this one is held to --gamma\n"
   "  boundary_limited              triangles that fail a criterion at the boundary\n"
   "  unmet                         triangles that fail a criterion for another cause\n"
   "  unmet_by                      both of them by criterion and cause\n"

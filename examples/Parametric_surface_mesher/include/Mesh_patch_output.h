@@ -146,6 +146,7 @@ inline nlohmann::ordered_json json_of_shape(const CGAL::Triangle_mesh_quality& q
           {"mean_edge", q.mean_edge_length},
           {"longest_edge", q.max_edge_length},
           {"max_deviation", d.max_inner_deviation_ratio},
+          {"max_normal_deviation", d.max_inner_normal_deviation_ratio},
           {"max_boundary_deviation", d.max_border_deviation_ratio},
           {"max_distance", d.max_distance_to_face},
           {"inverted_triangles", d.number_of_inverted_faces + d.number_of_domain_violations},
@@ -227,7 +228,8 @@ inline void print_summary(std::ostream& out, const Mesh_patch_input& input, cons
       << plural(q.number_of_boundary_cycles, "boundary cycle") << (q.is_manifold ? "" : ", NOT MANIFOLD") << "\n"
       << "  smallest angle " << q.min_angle << " degrees, its mean " << q.mean_min_angle << "; mean 2r/R "
       << q.mean_radius_ratio << "\n"
-      << "  deviation ratio up to " << d.max_inner_deviation_ratio << " inside, " << d.max_border_deviation_ratio
+      << "  deviation ratio up to " << d.max_inner_deviation_ratio << " inside ("
+      << d.max_inner_normal_deviation_ratio << " along the normal), " << d.max_border_deviation_ratio
       << " on the boundary; distance up to " << d.max_distance_to_face << "\n";
   if(const std::size_t n = d.number_of_inverted_faces + d.number_of_domain_violations)
     out << "  INVERTED: " << plural(n, "triangle") << "\n";

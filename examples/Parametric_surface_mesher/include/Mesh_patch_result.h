@@ -47,6 +47,8 @@ namespace mesh_patch {
 inline void add(const CGAL::Triangle_mesh_deviation& d, CGAL::Triangle_mesh_deviation& sum)
 {
   sum.max_inner_deviation_ratio = (std::max)(sum.max_inner_deviation_ratio, d.max_inner_deviation_ratio);
+  sum.max_inner_normal_deviation_ratio
+    = (std::max)(sum.max_inner_normal_deviation_ratio, d.max_inner_normal_deviation_ratio);
   sum.max_border_deviation_ratio = (std::max)(sum.max_border_deviation_ratio, d.max_border_deviation_ratio);
   sum.max_distance_to_face = (std::max)(sum.max_distance_to_face, d.max_distance_to_face);
   sum.max_distance_to_vertex = (std::max)(sum.max_distance_to_vertex, d.max_distance_to_vertex);
