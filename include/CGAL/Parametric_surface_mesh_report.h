@@ -16,7 +16,7 @@ namespace CGAL {
 enum class Unmet_cause
 {
   BOUNDARY,        ///< boundary-limited: it touches the boundary, which is never changed, and there is no better point
-  MINIMUM_EDGE,    ///< a point that helps would make an edge too short
+  MINIMUM_EDGE,    ///< a point that helps would make an edge too short, by the minimum edge or, for the sake of an angle, by the spacing
   NO_BETTER_POINT, ///< none of the positions tried was acceptable, for another reason than these
   VERTEX_LIMIT,    ///< the maximum number of vertices was reached
   STOPPED          ///< the visitor stopped the refinement

@@ -42,6 +42,8 @@ private:
   typedef typename Evaluator::Evaluated Evaluated;
   typedef internal::Location<Triangulation> Location;
 
+  static constexpr double fraction_of_spacing = 0.15;
+
   // a position that has been looked at
   struct Candidate
   {
@@ -97,7 +99,8 @@ public:
     for(int i = 0; i < 3; ++i)
       if(face->vertex(i)->is_on_boundary())
         return Unmet_cause::BOUNDARY;
-    return required_squared_distance(face_measures(face, m_evaluate.oracle().metric())) <= m_squared_min_distance
+    const Face_measures measures = face_measures(face, m_evaluate.oracle().metric());
+    return squared_distance_by_shape(measures) < required_squared_distance(face, measures)
              ? Unmet_cause::MINIMUM_EDGE
              : Unmet_cause::NO_BETTER_POINT;
   }
@@ -136,7 +139,7 @@ private:
   bool insert_for(Face_handle face)
   {
     const Face_measures measures = face_measures(face, m_evaluate.oracle().metric());
-    const double squared_distance = required_squared_distance(measures);
+    const double squared_distance = required_squared_distance(face, measures);
     const Point_2 center = Point_placement<Kernel>::circumcenter(face, measures);
     Candidate candidate;
     m_positions.clear();
@@ -155,10 +158,23 @@ private:
   // How far from other vertices a point for a bad face must be: 0.7 of its shortest edge (measured against the spacing of its
   // vertices instead, up to 2 % of the triangles of a steep peak stay below 30 degrees), or of its circumradius, since a large
   // equilateral triangle has its centre closer than its vertices are to each other.
-  double required_squared_distance(const Face_measures& measures) const
+  static double squared_distance_by_shape(const Face_measures& measures)
   {
     const double shortest = *std::min_element(measures.squared_lengths.begin(), measures.squared_lengths.end());
-    return (std::max)(m_squared_min_distance, 0.49 * (std::min)(shortest, measures.squared_circumradius));
+    return 0.49 * (std::min)(shortest, measures.squared_circumradius);
+  }
+
+  // The number of points is bounded: no two are closer than the minimum edge allows. An angle that cannot be had must not
+  // shrink edges that far: for its sake they stay above a fraction of the spacing.
+  double required_squared_distance(Face_handle face, const Face_measures& measures) const
+  {
+    const double required = (std::max)(m_squared_min_distance, squared_distance_by_shape(measures));
+    const double spacing = fraction_of_spacing
+                           * (std::min)({face->vertex(0)->spacing(), face->vertex(1)->spacing(), face->vertex(2)->spacing()});
+    typename Criteria::Quality quality;
+    if(required < spacing * spacing && m_is_bad(face, quality) == Mesh_2::BAD)
+      return spacing * spacing;
+    return required;
   }
 
   // The position is in the domain, and no closer to a vertex of the face that holds it than the distance.

@@ -45,9 +45,11 @@ public:
     : m_triangulation(triangulation), m_evaluate(evaluate), m_is_bad(is_bad)
   {}
 
-  // Each change raises the smallest angle of some faces; the number of passes is bounded all the same.
+  // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more than can be,
+  // bad faces are many and improvement would take longer than refinement: some are left as they are.
   void operator()()
   {
+    std::size_t attempts_left = 1000 + m_triangulation.number_of_faces() / 20;
     std::vector<Face_handle> bad;
     for(Face_handle face : m_triangulation.finite_face_handles())
       if(face->is_in_domain() && face->state() == Face_state::BLOCKED)
@@ -55,9 +57,11 @@ public:
     bool is_changed = !bad.empty();
     for(int pass = 0; is_changed && pass < max_number_of_passes; ++pass) {
       is_changed = false;
-      for(std::size_t i = 0; i < bad.size(); ++i) // grows
-        if(badness(bad[i]) != Mesh_2::NOT_BAD && repair(bad[i], bad))
-          is_changed = true;
+      for(std::size_t i = 0; i < bad.size() && attempts_left > 0; ++i) // grows
+        if(badness(bad[i]) != Mesh_2::NOT_BAD) {
+          is_changed |= repair(bad[i], bad);
+          --attempts_left;
+        }
     }
   }
 
