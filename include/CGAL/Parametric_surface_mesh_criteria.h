@@ -134,7 +134,7 @@ public:
     return *this;
   }
 
-  /// the last guard against a mesh too large for the machine. Default: 20 million.
+  /// the last guard against a mesh too large for the machine: a limit on the vertices of each patch. Default: 20 million.
   Parametric_surface_mesh_criteria& set_max_number_of_vertices(std::size_t n)
   {
     m_max_number_of_vertices = n;

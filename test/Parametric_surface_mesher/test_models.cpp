@@ -132,6 +132,44 @@ TEST(Models, teapot_is_the_same_again)
     EXPECT_EQ(corners(a.mesh, f), corners(b.mesh, f));
 }
 
+// Two half cylinders, so coarse that both would join the same boundary vertices across.
+TEST(Models, edges_across_narrow_patches_are_not_repeated)
+{
+  const Point_3 a(-1, 0, 0), b(1, 0, 0), c(1, 0, 9), d(-1, 0, 9);
+  const Bezier front(2, 1, std::vector<Point_3>{a, Point_3(0, -1, 0), b, d, Point_3(0, -1, 9), c});
+  const Bezier back(2, 1, std::vector<Point_3>{a, Point_3(0, 1, 0), b, d, Point_3(0, 1, 9), c});
+  Mesh mesh;
+  const Criteria coarse = Criteria().set_max_edge(20).set_min_edge(5).set_gamma(10);
+  CGAL::make_parametric_surface_mesh(
+    CGAL::make_model_of_rectangular_patches(std::vector<Bezier>{front, back}), coarse, mesh);
+  const auto quality = CGAL::triangle_mesh_quality(mesh);
+  EXPECT_TRUE(mesh.is_valid());
+  EXPECT_TRUE(quality.is_manifold);
+}
+
+TEST(Models, closed_sphere_of_one_face)
+{
+  const double pi = 4 * std::atan(1.);
+  typedef CGAL::Parametric_sphere_3<Test_kernel> Sphere;
+  typedef CGAL::Parametric_surface_model_3<Sphere> Sphere_model;
+  Sphere_model model;
+  const Sphere sphere(1);
+  const std::size_t south = model.add_vertex(sphere.point(0, -pi / 2)), north = model.add_vertex(sphere.point(0, pi / 2));
+  const std::size_t bottom = model.add_edge(south, south, true), seam = model.add_edge(south, north),
+                    top = model.add_edge(north, north, true);
+  const Point_2 a(0, -pi / 2), b(2 * pi, -pi / 2), c(2 * pi, pi / 2), d(0, pi / 2);
+  model.add_face({sphere,
+                  {{{bottom, false, Curve::segment(a, b)},
+                    {seam, false, Curve::segment(b, c)},
+                    {top, true, Curve::segment(d, c)},
+                    {seam, true, Curve::segment(a, d)}}}});
+  const Meshed_model m = mesh_model(model, 0.1);
+  expect_topology(m, 1, 0, 2);
+  EXPECT_TRUE(m.report.unmet.empty());
+  EXPECT_GE(m.quality.min_angle, 30);
+  EXPECT_NEAR(CGAL::Polygon_mesh_processing::volume(m.mesh), 4 * pi / 3, 0.02);
+}
+
 TEST(Models, patch_ids_and_domain_points)
 {
   const std::vector<Bezier> patches = teapot();

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct Indexed_mesh
   std::vector<Point_2> domain_points; // of a vertex on several patches: in one of their domains
   std::vector<std::array<std::size_t, 3>> faces;
   std::vector<std::size_t> patches;   // of the faces
+
+  // pairs of boundary vertices that are joined by an edge already, smaller index first
+  std::set<std::pair<std::size_t, std::size_t>> chords;
 
   bool keeps_corner_points = false;
   std::vector<std::array<Point_2, 3>> corner_points; // of the faces, in the domain of their patch, if kept

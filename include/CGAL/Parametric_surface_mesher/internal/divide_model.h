@@ -60,8 +60,10 @@ public:
     std::vector<std::size_t> order; // of first use
     for(std::size_t f = 0; f < model.faces().size(); ++f)
       collect_uses(f, order);
-    for(std::size_t edge : order)
+    for(std::size_t edge : order) {
       divide(edge, mesh);
+      append_edges(edge, mesh);
+    }
     mesh.domain_points.resize(mesh.points.size());
   }
 
@@ -121,6 +123,25 @@ private:
       mesh.points.push_back(curve.point(division.parameters[i]));
   }
 
+  // The edges of the division are known before any patch gets chords.
+  void append_edges(std::size_t number, Indexed_mesh<Kernel>& mesh) const
+  {
+    const std::size_t n = m_divisions[number].parameters.size() - 1;
+    for(std::size_t i = 0; i < n; ++i) {
+      const std::size_t a = index(number, i), b = index(number, i + 1);
+      mesh.chords.emplace((std::min)(a, b), (std::max)(a, b));
+    }
+  }
+
+  // of a point of a divided edge
+  std::size_t index(std::size_t number, std::size_t i) const
+  {
+    const Division& division = m_divisions[number];
+    return i == 0                                  ? m_model.edges()[number].source
+           : i + 1 == division.parameters.size()   ? m_model.edges()[number].target
+                                                   : division.first_inner_index + i - 1;
+  }
+
   double spacing_limit(const Division& division, double t) const
   {
     double limit = m_criteria.max_edge();
@@ -136,12 +157,10 @@ private:
     const std::size_t n = division.parameters.size() - 1;
     for(std::size_t k = 0; k < n; ++k) {
       const std::size_t i = use.is_reversed ? n - k : k;
-      const std::size_t index = i == 0   ? m_model.edges()[use.edge].source
-                                : i == n ? m_model.edges()[use.edge].target
-                                         : division.first_inner_index + i - 1;
       const auto domain_point = use.curve.point(division.parameters[i]);
-      mesh.domain_points[index] = domain_point;
-      loop.push_back({domain_point, mesh.points[index], index});
+      const std::size_t vertex = index(use.edge, i);
+      mesh.domain_points[vertex] = domain_point;
+      loop.push_back({domain_point, mesh.points[vertex], vertex});
     }
   }
 };

@@ -7,6 +7,7 @@
 #include <CGAL/Parametric_surface_oracle_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Charted_surface_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/Chord_splitter.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_collector.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
@@ -90,6 +91,8 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
     Patch_repair<Evaluator, typename Refinement::Is_bad> repair(triangulation, evaluator, refine.is_bad());
     repair();
   }
+  Chord_splitter<Evaluator> split_chords(triangulation, evaluator, mesh);
+  split_chords();
   Phase_timer timer(report.seconds.output);
   Patch_collector<Kernel> collect(triangulation, surface.chart(), mesh, report);
   collect(refine);

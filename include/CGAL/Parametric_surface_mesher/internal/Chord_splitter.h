@@ -1,0 +1,95 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHORD_SPLITTER_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHORD_SPLITTER_H
+
+#include <CGAL/Kernel/global_functions_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// A chord is an inner edge of a patch between two boundary vertices. Where patches are as narrow as their edges are long, two
+// of them (or one, across its seam) can have chords between the same two vertices, and the mesh would not be manifold. The first chord
+// stays; others are split in the middle.
+template <class Evaluator>
+class Chord_splitter
+{
+  typedef typename Evaluator::Kernel Kernel;
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef std::pair<Vertex_handle, Vertex_handle> Chord;
+
+  Triangulation& m_triangulation;
+  const Evaluator& m_evaluate;
+  Indexed_mesh<Kernel>& m_mesh;
+  Vertex_insertion<Triangulation> m_insertion;
+
+public:
+  Chord_splitter(Triangulation& triangulation, const Evaluator& evaluate, Indexed_mesh<Kernel>& mesh)
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_mesh(mesh), m_insertion(triangulation)
+  {}
+
+  void operator()()
+  {
+    std::vector<Chord> repeated;
+    for(Face_handle face : m_triangulation.finite_face_handles())
+      if(face->is_in_domain())
+        for(int i = 0; i < 3; ++i)
+          if(!face->is_constrained(i))
+            collect(face->vertex((i + 1) % 3), face->vertex((i + 2) % 3), repeated);
+    for(const Chord& chord : repeated)
+      split(chord);
+  }
+
+private:
+  // An edge is seen from both sides: that from the smaller to the larger index counts.
+  void collect(Vertex_handle v, Vertex_handle w, std::vector<Chord>& repeated)
+  {
+    if(!v->is_on_boundary() || !w->is_on_boundary() || v->index() > w->index())
+      return;
+    if(v->index() == w->index() || !m_mesh.chords.emplace(v->index(), w->index()).second)
+      repeated.emplace_back(v, w);
+  }
+
+  void split(const Chord& chord)
+  {
+    Face_handle face;
+    int i = 0;
+    if(!m_triangulation.is_edge(chord.first, chord.second, face, i))
+      return; // gone with another one
+    const auto middle = midpoint(chord.first->point().domain_point(), chord.second->point().domain_point());
+    if(!is_inside(middle, face, i))
+      return;
+    const Vertex_handle vertex = m_insertion.insert_in_edge(m_evaluate(middle).point, face, i);
+    vertex->set_spacing(0.5 * (chord.first->spacing() + chord.second->spacing()));
+  }
+
+  // Whether `p`, a rounded middle of edge `i`, makes four triangles of positive orientation; exact.
+  template <class Point_2>
+  bool is_inside(const Point_2& p, Face_handle face, int i) const
+  {
+    const auto orientation = m_triangulation.geom_traits().orientation_2_object();
+    for(Face_handle side : {face, face->neighbor(i)}) {
+      const int j = side == face ? i : m_triangulation.mirror_index(face, i);
+      for(int k : {(j + 1) % 3, (j + 2) % 3})
+        if(orientation(side->vertex((k + 1) % 3)->point(), side->vertex((k + 2) % 3)->point(), p) != LEFT_TURN)
+          return false;
+    }
+    return true;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHORD_SPLITTER_H
