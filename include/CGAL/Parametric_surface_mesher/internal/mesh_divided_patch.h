@@ -74,6 +74,10 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
     Boundary_check<Kernel> check(loops);
     check();
     const Boundary_loops<Kernel> charted_loops = chart_loops(loops, surface.chart());
+    if(!surface.chart().is_identity()) { // its straight segments are others than those of the domain
+      Boundary_check<Kernel> check_in_chart(charted_loops);
+      check_in_chart();
+    }
     Boundary_triangulator<Kernel> triangulate(triangulation, charted_loops);
     triangulate(evaluator);
     report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
@@ -91,8 +95,11 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
     Patch_repair<Evaluator, typename Refinement::Is_bad> repair(triangulation, evaluator, refine.is_bad());
     repair();
   }
-  Chord_splitter<Evaluator> split_chords(triangulation, evaluator, mesh);
-  split_chords();
+  {
+    Phase_timer timer(report.seconds.improvement);
+    Chord_splitter<Evaluator> split_chords(triangulation, evaluator, mesh);
+    split_chords();
+  }
   Phase_timer timer(report.seconds.output);
   Patch_collector<Kernel> collect(triangulation, surface.chart(), mesh, report);
   collect(refine);
