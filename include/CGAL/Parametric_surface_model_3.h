@@ -4,10 +4,12 @@
 #define CGAL_PARAMETRIC_SURFACE_MODEL_3_H
 
 #include <CGAL/Domain_curve_2.h>
+#include <CGAL/Space_curve_3.h>
 
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -20,24 +22,37 @@ Several patches that share boundary curves: vertices in space, edges between the
 edge uses, each with the edge's curve in the domain of that face. An edge is divided once, and all faces that use
 it get the same points: their meshes fit without a crack.
 
-An edge may be collapsed: both ends are one vertex and the curve is that point (a pole of the parametrisation).
+- An edge may be used twice by one face: a *seam*, along which the face closes on itself.
+- An edge may be *collapsed*: both ends are one vertex and the curve is that point (a pole of the parametrisation).
+- An edge may be used by three or more faces, or by several shells: see `Face::shell`.
+- Loops of a face may touch in a common vertex.
+
+Meshing begins with `validate()` of `validate_parametric_surface_model.h`: loops must close, and the uses of an edge be the same curve in space within the
+`tolerance()`.
 
 \tparam Surface a model of `ParametricSurface_3`
+
+\sa `CGAL::make_model_of_rectangular_patches()`
+\sa `CGAL::orient_faces()`
 */
 template <class Surface>
 class Parametric_surface_model_3
 {
 public:
+  typedef Surface Surface_3;
   typedef typename Surface::Geom_traits Geom_traits;
   typedef typename Geom_traits::Point_3 Point_3;
   typedef Domain_curve_2<Geom_traits> Curve;
+  typedef Space_curve_3<Geom_traits> Space_curve;
 
   /// an edge between two vertices.
   struct Edge
   {
     std::size_t source; ///< the vertex where its curves begin
     std::size_t target; ///< the vertex where its curves end
-    bool is_collapsed;  ///< whether it is a point in space
+    bool is_collapsed = false; ///< whether it is a point in space
+    std::shared_ptr<const Space_curve> curve = nullptr; ///< the curve that is divided; without it, the image of the first use's curve
+    double tolerance = 0; ///< how far apart its uses may be, if more than the model's tolerance
   };
 
   /// one use of an edge in the loop of a face.
@@ -56,12 +71,16 @@ public:
     Surface surface;
     std::vector<Loop> loops;  ///< the outer one first
     bool is_reversed = false; ///< whether the triangles are to face against `S_u x S_v`
+    /// Faces of one shell are joined along an edge that two of them use; those of different shells are not, and an edge with three or
+    /// more uses in one shell is a border of each of its faces. So the mesh of a shell is always manifold.
+    std::size_t shell = 0;
   };
 
 private:
   std::vector<Point_3> m_vertices;
   std::vector<Edge> m_edges;
   std::vector<Face> m_faces;
+  double m_tolerance = 0;
 
 public:
   /// \name Construction
@@ -77,9 +96,19 @@ public:
   /// \pre the vertices exist; they are equal if the edge is collapsed
   std::size_t add_edge(std::size_t source, std::size_t target, bool is_collapsed = false)
   {
-    CGAL_precondition(source < m_vertices.size() && target < m_vertices.size());
-    CGAL_precondition(!is_collapsed || source == target);
-    m_edges.push_back({source, target, is_collapsed});
+    Edge edge;
+    edge.source = source;
+    edge.target = target;
+    edge.is_collapsed = is_collapsed;
+    return add_edge(std::move(edge));
+  }
+
+  /// \pre the vertices exist; they are equal if the edge is collapsed
+  std::size_t add_edge(Edge edge)
+  {
+    CGAL_precondition(edge.source < m_vertices.size() && edge.target < m_vertices.size());
+    CGAL_precondition(!edge.is_collapsed || edge.source == edge.target);
+    m_edges.push_back(std::move(edge));
     return m_edges.size() - 1;
   }
 
@@ -97,6 +126,21 @@ public:
   const std::vector<Edge>& edges() const { return m_edges; }
   const std::vector<Face>& faces() const { return m_faces; }
   std::vector<Face>& faces() { return m_faces; }
+  /// @}
+
+  /// \name Tolerance
+  /// @{
+
+  /// sets how far apart in space what is to be one may be: the uses of an edge, and their ends and the vertices. 0, the default,
+  /// stands for 1e-6 of the diagonal of the model's bounding box.
+  /// \pre `tolerance >= 0`
+  void set_tolerance(double tolerance)
+  {
+    CGAL_precondition(tolerance >= 0);
+    m_tolerance = tolerance;
+  }
+
+  double tolerance() const { return m_tolerance; }
   /// @}
 };
 

@@ -4,8 +4,9 @@
 #define CGAL_MAKE_MODEL_OF_RECTANGULAR_PATCHES_H
 
 #include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/Parametric_surface_mesher/internal/orient_faces.h>
+#include <CGAL/Parametric_surface_mesher/internal/group_points.h>
 #include <CGAL/Parametric_surface_model_3.h>
+#include <CGAL/orient_faces.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,6 +69,7 @@ public:
     add_vertices_and_edges();
     for(std::size_t i = 0; i < m_surfaces.size(); ++i)
       m_model.add_face({m_surfaces[i], {{use(4 * i), use(4 * i + 1), use(4 * i + 2), use(4 * i + 3)}}});
+    m_model.set_tolerance(2 * std::sqrt(m_squared_tolerance)); // a side, and a corner at its end, may be off
     orient_faces(m_model);
     return std::move(m_model);
   }
@@ -98,23 +99,15 @@ private:
                        [&](const Point_3& p) { return are_close(p, side.samples.front()); });
   }
 
-  // Sweep along x: corners closer than the tolerance are at one place.
+  // corners closer than the tolerance are at one place
   void number_places()
   {
-    std::vector<std::size_t> order(m_sides.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
-      return std::make_pair(corner(a).x(), a) < std::make_pair(corner(b).x(), b);
-    });
-    const double tolerance = std::sqrt(m_squared_tolerance);
-    for(std::size_t i = 0; i < order.size(); ++i) {
-      m_sides[order[i]].place = order[i];
-      for(std::size_t k = i; k-- > 0 && corner(order[i]).x() - corner(order[k]).x() <= tolerance;)
-        if(are_close(corner(order[i]), corner(order[k]))) {
-          m_sides[order[i]].place = m_sides[order[k]].place;
-          break;
-        }
-    }
+    std::vector<Point_3> corners;
+    for(std::size_t i = 0; i < m_sides.size(); ++i)
+      corners.push_back(corner(i));
+    const std::vector<std::size_t> places = group_points(corners, std::sqrt(m_squared_tolerance));
+    for(std::size_t i = 0; i < m_sides.size(); ++i)
+      m_sides[i].place = places[i];
   }
 
   static std::size_t next_side(std::size_t i) { return i % 4 == 3 ? i - 3 : i + 1; }
@@ -194,15 +187,17 @@ private:
 \ingroup PkgParametricSurfaceMesherModel
 
 makes a model of patches over rectangles, for instance Bezier patches: boundary curves that are equal within `tolerance` become one
-edge, and sides that are a point become collapsed edges. Patches are reversed where needed, so that neighbours face
-to the same side; the first patch of each connected piece keeps its direction.
+edge, and sides that are a point become collapsed edges. Two sides of one patch may match too: it closes on itself along a seam. Patches are reversed
+by `orient_faces()`, so that neighbours face to the same side, and closed pieces outward.
+
+Where three or more patches meet in one curve the mesh is cut: see `Parametric_surface_model_3::Face::shell`.
 
 Curves match if they are equal at equal parameters (in the same or the opposite direction), compared at nine points; patches that
 meet along a part of a side, or with different parametrisations, are not joined.
 
 \param surfaces the patches
 \param tolerance how far apart points may be that are to be one. 0 stands for 1e-9 of the diagonal of the bounding box of all corners.
-\throws Parametric_surface_mesh_error if three or more patches meet in one curve, or a connected piece is not orientable
+\throws Parametric_surface_mesh_error if a connected piece is not orientable
 
 Complexity: `O(n log n)` for `n` patches whose corners are spread out in space.
 

@@ -10,12 +10,11 @@
 #include <CGAL/Parametric_surface_mesh_parameters.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesh_visitor.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_collector.h>
-#include <CGAL/Parametric_surface_mesher/internal/divide_domain.h>
-#include <CGAL/Parametric_surface_mesher/internal/divide_model.h>
-#include <CGAL/Parametric_surface_mesher/internal/mesh_divided_patch.h>
-#include <CGAL/Parametric_surface_mesher/internal/mesh_face_of_model.h>
+#include <CGAL/Parametric_surface_mesher/internal/mesh_model.h>
+#include <CGAL/Parametric_surface_mesher/internal/model_of_patch.h>
+#include <CGAL/Parametric_surface_mesher/internal/separate_pieces.h>
 #include <CGAL/Parametric_surface_model_3.h>
+#include <CGAL/validate_parametric_surface_model.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -75,21 +74,42 @@ void output(const Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParam
   add_to_face_graph(mesh, tm, make_output_maps(vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map));
 }
 
-template <class Criteria, class Mesh>
-void complete(Parametric_surface_mesh_report& report, const Criteria& criteria, const Mesh& mesh)
+// Meshes a model and hands the result over to `finish`, with the division. `Numbering` orders the points of the division.
+template <class Model, class Criteria, class NamedParameters, class Numbering, class Finish>
+Parametric_surface_mesh_report mesh_model(const Model& model, const Criteria& criteria, const NamedParameters& np,
+                                          bool keeps_corner_points, Numbering number_points, Finish finish)
 {
-  report.max_edge = criteria.max_edge();
-  report.min_edge = criteria.min_edge();
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef typename Model::Geom_traits Kernel;
+  const auto metric = choose_parameter(get_parameter(np, Metric_field_t()), First_fundamental_form_metric_2<Kernel>());
+  auto given_visitor = choose_parameter(get_parameter(np, internal_np::visitor), Parametric_surface_mesh_visitor());
+  auto& visitor = unwrap(given_visitor);
+
+  Parametric_surface_mesh_report report;
+  auto mesher = make_model_mesher(model, criteria, metric, visitor, report);
+  auto division = mesher.divide();
+  number_points(division);
+  Indexed_mesh<Kernel> mesh;
+  mesh.keeps_corner_points = keeps_corner_points;
+  mesher.mesh_faces(division, mesh);
+  Phase_timer timer(report.seconds.output);
+  visitor.on_phase("output");
+  finish(division, mesh);
   report.number_of_vertices = mesh.points.size();
-  report.number_of_faces = mesh.faces.size();
+  return report;
 }
 
-// the result of `function`, its processor time added to `seconds`
-template <class Function>
-auto timed(double& seconds, Function function)
+// Meshes a model into a face graph.
+template <class Model, class Criteria, class TriangleMesh, class NamedParameters, class Numbering>
+Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& model, const Criteria& criteria,
+                                               const NamedParameters& np, Numbering number_points)
 {
-  Phase_timer timer(seconds);
-  return function();
+  return mesh_model(model, criteria, np, wants_corner_points<NamedParameters>(), number_points,
+                    [&](const auto& division, auto& mesh) {
+                      separate_pieces(mesh, shells(model), division.meeting_points());
+                      output(mesh, tm, np);
+                    });
 }
 
 } // namespace internal
@@ -103,6 +123,8 @@ meshes a trimmed parametric surface.
 The boundary of the domain is divided once; then the inside is triangulated and refined until every triangle meets the criteria.
 The division is never changed: its points are the first vertices of the mesh, in the order of loops and curves.
 What could not be met is in the report.
+
+Loops may touch where their curves begin; the pieces of the mesh that meet in such a point have copies of it, at the end of the vertices.
 
 If the input is refused nothing is added to `tm`.
 
@@ -162,38 +184,8 @@ make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<t
                              const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef typename Surface::Geom_traits Kernel;
-
-  const auto metric = choose_parameter(get_parameter(np, Metric_field_t()), First_fundamental_form_metric_2<Kernel>());
-  auto given_visitor = choose_parameter(get_parameter(np, internal_np::visitor), Parametric_surface_mesh_visitor());
-  auto& visitor = unwrap(given_visitor);
-
-  Parametric_surface_mesh_report report;
-  Parametric_domain_2<Kernel> closed_domain = domain;
-  Criteria sized_criteria = criteria;
-  Indexed_mesh<Kernel> mesh;
-  mesh.keeps_corner_points = wants_corner_points<NamedParameters>();
-  Boundary_loops<Kernel> loops;
-  visitor.on_phase("division");
-  close_loops(closed_domain);
-  const double diagonal = boundary_diagonal(surface, closed_domain);
-  set_default_sizes(sized_criteria, diagonal);
-  const auto oracle
-    = make_parametric_surface_oracle(surface, metric, singular_points(surface, closed_domain, diagonal));
-  {
-    Phase_timer timer(report.seconds.division);
-    loops = divide_domain(oracle, closed_domain, diagonal, sized_criteria);
-    report.number_of_boundary_edges = append_boundary(loops, mesh);
-  }
-  mesh_divided_patch(oracle, sized_criteria, loops, visitor, mesh, report);
-  Phase_timer timer(report.seconds.output);
-  visitor.on_phase("output");
-  mesh.patches.resize(mesh.faces.size(), 0);
-  output(mesh, tm, np);
-  complete(report, sized_criteria, mesh);
-  return report;
+  return mesh_model_into(tm, model_of_patch(surface, domain), criteria, np,
+                         [](auto& division) { division.number_along_edges(); });
 }
 
 /*!
@@ -202,8 +194,15 @@ make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<t
 meshes a model of several patches into one mesh. Each edge of the model is divided once, and its points are shared by all faces that
 use it, so that the mesh has no crack along it.
 
-The first vertices of the mesh are the vertices of the model; then come the inner points of its edges, edge by edge in the order
-of their first use.
+The first vertices of the mesh are those vertices of the model that faces use; then come the inner points of its edges, edge by edge in the
+order of their first use.
+
+The triangles face as the faces of the model do. The mesh is closed where the model is: an edge with two uses in a shell joins its faces, or one
+face with itself. Where an edge has one use, or three and more in one shell, the mesh has a border: see `Parametric_surface_model_3::Face::shell`. Of a vertex
+that several pieces of the mesh meet in, each piece has a copy, at the end of the vertices. So the mesh is always manifold; for triangles that share all points
+there is `make_parametric_surface_triangle_soup()`.
+
+The model is checked by `validate()` first.
 
 \tparam Surface a model of `ParametricSurface_3`
 
@@ -224,32 +223,8 @@ make_parametric_surface_mesh(const Parametric_surface_model_3<Surface>& model, c
                              TriangleMesh& tm, const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef typename Surface::Geom_traits Kernel;
-
-  const auto metric = choose_parameter(get_parameter(np, Metric_field_t()), First_fundamental_form_metric_2<Kernel>());
-  auto given_visitor = choose_parameter(get_parameter(np, internal_np::visitor), Parametric_surface_mesh_visitor());
-  auto& visitor = unwrap(given_visitor);
-
-  Parametric_surface_mesh_report report;
-  Criteria sized_criteria = criteria;
-  set_default_sizes(sized_criteria, model_diagonal(model));
-  Indexed_mesh<Kernel> mesh;
-  mesh.keeps_corner_points = wants_corner_points<NamedParameters>();
-  const auto oracles = make_oracles(model, metric);
-  visitor.on_phase("division");
-  typedef Model_division<typename decltype(oracles)::value_type> Division;
-  const Division division = timed(report.seconds.division, [&] { return Division(model, oracles, sized_criteria, mesh); });
-  report.number_of_boundary_edges = division.number_of_edges();
-
-  for(std::size_t f = 0; f < model.faces().size(); ++f)
-    mesh_face_of_model(model.faces()[f], f, oracles[f], division, sized_criteria, visitor, mesh, report);
-  Phase_timer timer(report.seconds.output);
-  visitor.on_phase("output");
-  output(mesh, tm, np);
-  complete(report, sized_criteria, mesh);
-  return report;
+  validate(model);
+  return mesh_model_into(tm, model, criteria, np, [](auto& division) { division.number_vertices_first(); });
 }
 
 } // namespace CGAL

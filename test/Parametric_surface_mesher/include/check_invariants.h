@@ -22,12 +22,14 @@ typedef CGAL::Parametric_surface_mesher::internal::Boundary_loops<Test_kernel> B
 template <class Surface>
 Boundary_loops division(const Surface& surface, const Domain& domain, const Criteria& criteria)
 {
+  using namespace CGAL::Parametric_surface_mesher::internal;
   const CGAL::First_fundamental_form_metric_2<Test_kernel> metric;
-  Domain closed = domain;
-  CGAL::Parametric_surface_mesher::internal::close_loops(closed);
-  return CGAL::Parametric_surface_mesher::internal::divide_domain(
-    CGAL::make_parametric_surface_oracle(surface, metric, {}), closed,
-    CGAL::Parametric_surface_mesher::internal::boundary_diagonal(surface, closed), criteria);
+  const auto model = model_of_patch(surface, domain);
+  CGAL::Parametric_surface_mesh_visitor visitor;
+  Report report;
+  auto divided = make_model_mesher(model, criteria, metric, visitor, report).divide();
+  divided.number_along_edges();
+  return divided.boundary_loops(0);
 }
 
 // The points of the division are the first vertices, in order and to the last bit; its edges are the border.

@@ -9,6 +9,7 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -33,13 +34,17 @@ struct Boundary_vertex
 template <class Kernel>
 using Boundary_loops = std::vector<std::vector<Boundary_vertex<Kernel>>>;
 
-// Refuses divisions that do not bound a domain: fewer than three points, values that are not finite, segments of
-// length zero or segments that meet elsewhere than at the common point of neighbours. All tests are exact; O(n log n).
+// Looks for what keeps a division from bounding a domain: fewer than three points, values that are not finite, segments of
+// length zero, and segments that meet elsewhere than in a common vertex. All tests are exact; O(n log n).
 template <class Kernel>
 class Boundary_check
 {
-  typedef typename Kernel::Segment_2 Segment_2;
+public:
   typedef std::pair<std::size_t, std::size_t> Segment_id; // loop, number in the loop
+  typedef std::pair<Segment_id, Segment_id> Crossing;
+
+private:
+  typedef typename Kernel::Segment_2 Segment_2;
   typedef Box_intersection_d::Box_with_info_d<double, 2, Segment_id> Box;
 
   const Boundary_loops<Kernel>& m_loops;
@@ -47,7 +52,8 @@ class Boundary_check
 public:
   explicit Boundary_check(const Boundary_loops<Kernel>& loops) : m_loops(loops) {}
 
-  void operator()() const
+  // \throws Parametric_surface_mesh_error for loops that are too short, and points and segments that are no such
+  void check_segments() const
   {
     for(std::size_t l = 0; l < m_loops.size(); ++l) {
       if(m_loops[l].size() < 3)
@@ -57,18 +63,39 @@ public:
       for(std::size_t i = 0; i < m_loops[l].size(); ++i)
         check_segment({l, i});
     }
-    check_crossings();
+  }
+
+  // the pairs of segments that cross, overlap or touch, in order
+  std::vector<Crossing> crossings() const
+  {
+    std::vector<Box> boxes;
+    for(std::size_t l = 0; l < m_loops.size(); ++l)
+      for(std::size_t i = 0; i < m_loops[l].size(); ++i)
+        boxes.push_back(Box(segment({l, i}).bbox(), Segment_id(l, i)));
+    std::vector<Crossing> result;
+    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+      const Crossing pair = std::minmax(a.info(), b.info());
+      if(cross(pair.first, pair.second))
+        result.push_back(pair);
+    });
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  std::string describe_crossing(const Crossing& crossing) const
+  {
+    return "the boundary crosses or touches itself: " + name(crossing.first) + ", and " + name(crossing.second);
   }
 
 private:
-  const typename Kernel::Point_2& point(std::size_t loop, std::size_t i) const
+  const Boundary_vertex<Kernel>& vertex(std::size_t loop, std::size_t i) const
   {
-    return m_loops[loop][i % m_loops[loop].size()].domain_point;
+    return m_loops[loop][i % m_loops[loop].size()];
   }
 
   Segment_2 segment(const Segment_id& id) const
   {
-    return Segment_2(point(id.first, id.second), point(id.first, id.second + 1));
+    return Segment_2(vertex(id.first, id.second).domain_point, vertex(id.first, id.second + 1).domain_point);
   }
 
   std::string name(const Segment_id& id) const
@@ -80,7 +107,7 @@ private:
   void check_segment(const Segment_id& id) const
   {
     const auto p = segment(id).source();
-    const auto& s = m_loops[id.first][id.second].surface_point;
+    const auto& s = vertex(id.first, id.second).surface_point;
     if(!std::isfinite(p.x()) || !std::isfinite(p.y()))
       throw Parametric_surface_mesh_error("the domain point of " + name(id) + " is not finite");
     if(!std::isfinite(s.x()) || !std::isfinite(s.y()) || !std::isfinite(s.z()))
@@ -90,39 +117,24 @@ private:
       throw Parametric_surface_mesh_error(name(id) + ", has length zero in the domain");
   }
 
-  void check_crossings() const
-  {
-    std::vector<Box> boxes;
-    for(std::size_t l = 0; l < m_loops.size(); ++l)
-      for(std::size_t i = 0; i < m_loops[l].size(); ++i)
-        boxes.push_back(Box(segment({l, i}).bbox(), Segment_id(l, i)));
-    bool is_found = false;
-    std::pair<Segment_id, Segment_id> first; // smallest crossing pair, as the order of the calls is not fixed
-    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-      const std::pair<Segment_id, Segment_id> pair = std::minmax(a.info(), b.info());
-      if((!is_found || pair < first) && cross(pair.first, pair.second)) {
-        is_found = true;
-        first = pair;
-      }
-    });
-    if(is_found)
-      throw Parametric_surface_mesh_error("the boundary crosses or touches itself: " + name(first.first) + ", and "
-                                          + name(first.second));
-  }
-
+  // Segments may meet in a common vertex, be they neighbours or loops that touch there.
   bool cross(const Segment_id& a, const Segment_id& b) const
   {
     const Segment_2 s = segment(a), t = segment(b);
-    const std::size_t n = m_loops[a.first].size();
-    if(a.first == b.first && (a.second + 1) % n == b.second)
-      return folds_back(s, t);
-    if(a.first == b.first && (b.second + 1) % n == a.second)
-      return folds_back(t, s);
+    for(std::size_t i : {0, 1})
+      for(std::size_t k : {0, 1})
+        if(are_one(vertex(a.first, a.second + i), vertex(b.first, b.second + k)))
+          return overlap(i == 0 ? s.opposite() : s, k == 0 ? t : t.opposite());
     return do_intersect(s, t);
   }
 
-  // whether two segments joined at s.target() overlap
-  static bool folds_back(const Segment_2& s, const Segment_2& t)
+  static bool are_one(const Boundary_vertex<Kernel>& v, const Boundary_vertex<Kernel>& w)
+  {
+    return v.index == w.index && v.domain_point == w.domain_point;
+  }
+
+  // whether two segments joined at s.target() have more in common than that point
+  static bool overlap(const Segment_2& s, const Segment_2& t)
   {
     return orientation(s.source(), s.target(), t.target()) == COLLINEAR
            && angle(s.source(), s.target(), t.target()) == ACUTE;

@@ -85,6 +85,8 @@ public:
     : m_oracle(oracle), m_limit(oracle, criteria), m_box(box)
   {}
 
+  const Bbox_2& box() const { return m_box; }
+
   // at the parameter `t` of a curve with the domain on its left, or on its right
   double operator()(const Domain_curve_2<Kernel>& curve, double t, bool is_domain_left) const
   {

@@ -27,15 +27,16 @@ class Chord_splitter
   typedef typename Triangulation::Face_handle Face_handle;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef std::pair<Vertex_handle, Vertex_handle> Chord;
+  typedef typename Indexed_mesh<Kernel>::Chords Chords;
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
-  Indexed_mesh<Kernel>& m_mesh;
+  Chords& m_chords;
   Vertex_insertion<Triangulation> m_insertion;
 
 public:
-  Chord_splitter(Triangulation& triangulation, const Evaluator& evaluate, Indexed_mesh<Kernel>& mesh)
-    : m_triangulation(triangulation), m_evaluate(evaluate), m_mesh(mesh), m_insertion(triangulation)
+  Chord_splitter(Triangulation& triangulation, const Evaluator& evaluate, Chords& chords)
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_chords(chords), m_insertion(triangulation)
   {}
 
   void operator()()
@@ -56,7 +57,7 @@ private:
   {
     if(!v->is_on_boundary() || !w->is_on_boundary() || v->index() > w->index())
       return;
-    if(v->index() == w->index() || !m_mesh.chords.emplace(v->index(), w->index()).second)
+    if(v->index() == w->index() || !m_chords.emplace(v->index(), w->index()).second)
       repeated.emplace_back(v, w);
   }
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -28,8 +29,9 @@ struct Indexed_mesh
   std::vector<std::array<std::size_t, 3>> faces;
   std::vector<std::size_t> patches;   // of the faces
 
-  // pairs of boundary vertices that are joined by an edge already, smaller index first
-  std::set<std::pair<std::size_t, std::size_t>> chords;
+  // for each shell the pairs of boundary vertices that are joined by an edge already, smaller index first
+  typedef std::set<std::pair<std::size_t, std::size_t>> Chords;
+  std::map<std::size_t, Chords> chords;
 
   bool keeps_corner_points = false;
   std::vector<std::array<Point_2, 3>> corner_points; // of the faces, in the domain of their patch, if kept

@@ -51,11 +51,14 @@ Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
 
 // From the divided boundary of a patch to its triangles, which are appended to `mesh`: triangulation, refinement, improvement, output.
 // A patch with poles is meshed in the coordinates of a chart.
-// \pre the boundary vertices are in `mesh` already
+// `chords`: what joins boundary vertices of the patch's shell.
+// \pre the boundary vertices are in `mesh` already, and no segments of the loops cross
 template <class Oracle, class Criteria, class Visitor>
 void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
                         const Boundary_loops<typename Oracle::Geom_traits>& loops, Visitor& visitor,
-                        Indexed_mesh<typename Oracle::Geom_traits>& mesh, Parametric_surface_mesh_report& report)
+                        Indexed_mesh<typename Oracle::Geom_traits>& mesh,
+                        typename Indexed_mesh<typename Oracle::Geom_traits>::Chords& chords,
+                        Parametric_surface_mesh_report& report)
 {
   typedef typename Oracle::Geom_traits Kernel;
   typedef Charted_surface_3<typename Oracle::Surface> Surface;
@@ -71,13 +74,7 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
   {
     Phase_timer timer(report.seconds.triangulation);
     visitor.on_phase("triangulation");
-    Boundary_check<Kernel> check(loops);
-    check();
     const Boundary_loops<Kernel> charted_loops = chart_loops(loops, surface.chart());
-    if(!surface.chart().is_identity()) { // its straight segments are others than those of the domain
-      Boundary_check<Kernel> check_in_chart(charted_loops);
-      check_in_chart();
-    }
     Boundary_triangulator<Kernel> triangulate(triangulation, charted_loops);
     triangulate(evaluator);
     report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
@@ -97,7 +94,7 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
   }
   {
     Phase_timer timer(report.seconds.improvement);
-    Chord_splitter<Evaluator> split_chords(triangulation, evaluator, mesh);
+    Chord_splitter<Evaluator> split_chords(triangulation, evaluator, chords);
     split_chords();
   }
   Phase_timer timer(report.seconds.output);

@@ -55,7 +55,7 @@ public:
     : m_triangulation(triangulation), m_loops(loops)
   {}
 
-  // \pre the loops have passed `Boundary_check`
+  // \pre `Boundary_check` finds nothing
   template <class Evaluator>
   void operator()(const Evaluator& evaluate)
   {
@@ -189,7 +189,8 @@ private:
         const auto &before = loop[(i + loop.size() - 1) % loop.size()].surface_point,
                    &after = loop[(i + 1) % loop.size()].surface_point, &here = loop[i].surface_point;
         vertex->set_point(evaluated[position].point);
-        vertex->set_spacing((std::sqrt(squared_distance(before, here)) + std::sqrt(squared_distance(here, after))) / 2);
+        const double spacing = (std::sqrt(squared_distance(before, here)) + std::sqrt(squared_distance(here, after))) / 2;
+        vertex->set_spacing(vertex->is_on_boundary() ? (std::min)(vertex->spacing(), spacing) : spacing); // loops may touch
         vertex->set_index(loop[i].index);
         vertex->set_on_boundary(true);
       }

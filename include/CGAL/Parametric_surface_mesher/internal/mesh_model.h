@@ -1,0 +1,156 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MESH_MODEL_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MESH_MODEL_H
+
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/Crossing_refinement.h>
+#include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
+#include <CGAL/Parametric_surface_mesher/internal/describe.h>
+#include <CGAL/Parametric_surface_mesher/internal/mesh_divided_patch.h>
+#include <CGAL/Parametric_surface_mesher/internal/name_face.h>
+#include <CGAL/Parametric_surface_model_3.h>
+#include <CGAL/Parametric_surface_oracle_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Fills in the sizes that the user left open.
+inline void set_default_sizes(Parametric_surface_mesh_criteria& criteria, double diagonal)
+{
+  if(!(diagonal > 0) || !std::isfinite(diagonal))
+    throw Parametric_surface_mesh_error("the surface is degenerate: its boundary is a point in space");
+  if(!(criteria.max_edge() > 0))
+    criteria.set_max_edge(diagonal / 20);
+  if(!(criteria.min_edge() > 0))
+    criteria.set_min_edge((std::min)(criteria.max_edge(), diagonal / 20) / 100);
+  if(criteria.min_edge() > criteria.max_edge())
+    throw Parametric_surface_mesh_error("the minimum edge length " + describe(criteria.min_edge())
+                                        + " is larger than the maximum edge length " + describe(criteria.max_edge()));
+}
+
+// The oracles of the faces of a model.
+template <class Surface, class MetricField>
+std::vector<Parametric_surface_oracle_3<Surface, MetricField>>
+make_oracles(const Parametric_surface_model_3<Surface>& model, const MetricField& metric)
+{
+  std::vector<Parametric_surface_oracle_3<Surface, MetricField>> result;
+  for(const auto& face : model.faces()) {
+    std::vector<typename Surface::Geom_traits::Point_3> singular_points;
+    for(const auto& loop : face.loops)
+      for(const auto& use : loop)
+        if(model.edges()[use.edge].is_collapsed)
+          singular_points.push_back(model.vertices()[model.edges()[use.edge].source]);
+    result.emplace_back(face.surface, metric, std::move(singular_points));
+  }
+  return result;
+}
+
+// From a model to its triangles: the division of the edges, then face by face.
+template <class Model, class Criteria, class MetricField, class Visitor>
+class Model_mesher
+{
+public:
+  typedef Parametric_surface_oracle_3<typename Model::Surface_3, MetricField> Oracle;
+  typedef Model_division<Oracle> Division;
+  typedef Indexed_mesh<typename Model::Geom_traits> Mesh;
+
+private:
+  const Model& m_model;
+  Criteria m_criteria;
+  Visitor& m_visitor;
+  std::vector<Oracle> m_oracles;
+  Parametric_surface_mesh_report& m_report;
+
+public:
+  Model_mesher(const Model& model, const Criteria& criteria, const MetricField& metric, Visitor& visitor,
+               Parametric_surface_mesh_report& report)
+    : m_model(model), m_criteria(criteria), m_visitor(visitor), m_oracles(make_oracles(model, metric)), m_report(report)
+  {
+    set_default_sizes(m_criteria, model_diagonal(model));
+    m_report.max_edge = m_criteria.max_edge();
+    m_report.min_edge = m_criteria.min_edge();
+  }
+
+  Division divide()
+  {
+    Phase_timer timer(m_report.seconds.division);
+    m_visitor.on_phase("division");
+    Division division(m_model, m_oracles, m_criteria);
+    Crossing_refinement<Oracle> refine(division, m_oracles);
+    m_report.number_of_split_boundary_edges = refine();
+    m_report.number_of_boundary_edges = division.number_of_edges();
+    return division;
+  }
+
+  // \pre the mesh is empty
+  void mesh_faces(const Division& division, Mesh& mesh)
+  {
+    division.append_to(mesh);
+    for(std::size_t f = 0; f < m_model.faces().size(); ++f)
+      with_name_of_face(m_model, f, [&] { mesh_face(f, division, mesh); });
+    m_report.number_of_faces = mesh.faces.size();
+  }
+
+private:
+  void mesh_face(std::size_t number, const Division& division, Mesh& mesh)
+  {
+    const auto& face = m_model.faces()[number];
+    const std::size_t first = mesh.faces.size();
+    const auto loops = division.boundary_loops(number);
+    for(const auto& loop : loops)
+      for(const auto& vertex : loop)
+        mesh.domain_points[vertex.index] = vertex.domain_point;
+    mesh_divided_patch(m_oracles[number], criteria_of_face(loops, mesh), loops, m_visitor, mesh, mesh.chords[face.shell], m_report);
+    if(face.is_reversed)
+      mesh.reverse_faces(first);
+    mesh.patches.resize(mesh.faces.size(), number);
+  }
+
+  // the number of vertices is limited for all faces together
+  template <class Loops>
+  Criteria criteria_of_face(const Loops& loops, const Mesh& mesh) const
+  {
+    std::size_t limit = m_criteria.max_number_of_vertices() - (std::min)(m_criteria.max_number_of_vertices(), mesh.points.size());
+    for(const auto& loop : loops)
+      limit += loop.size();
+    Criteria result = m_criteria;
+    result.set_max_number_of_vertices(limit);
+    return result;
+  }
+};
+
+template <class Model, class Criteria, class MetricField, class Visitor>
+Model_mesher<Model, Criteria, MetricField, Visitor>
+make_model_mesher(const Model& model, const Criteria& criteria, const MetricField& metric, Visitor& visitor,
+                  Parametric_surface_mesh_report& report)
+{
+  return Model_mesher<Model, Criteria, MetricField, Visitor>(model, criteria, metric, visitor, report);
+}
+
+// The shells of the faces of a model.
+template <class Model>
+std::vector<std::size_t> shells(const Model& model)
+{
+  std::vector<std::size_t> result;
+  for(const auto& face : model.faces())
+    result.push_back(face.shell);
+  return result;
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MESH_MODEL_H

@@ -1,0 +1,33 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_NAME_FACE_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_NAME_FACE_H
+
+#include <CGAL/Parametric_surface_mesh_error.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Calls `function`; errors name the face, if the model has several.
+template <class Model, class Function>
+auto with_name_of_face(const Model& model, std::size_t face, Function function)
+{
+  try {
+    return function();
+  }
+  catch(const Parametric_surface_mesh_error& error) {
+    if(model.faces().size() == 1)
+      throw;
+    throw Parametric_surface_mesh_error("face " + std::to_string(face) + ": " + error.what());
+  }
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_NAME_FACE_H

@@ -1,0 +1,56 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_MAKE_PARAMETRIC_SURFACE_TRIANGLE_SOUP_H
+#define CGAL_MAKE_PARAMETRIC_SURFACE_TRIANGLE_SOUP_H
+
+#include <CGAL/make_parametric_surface_mesh.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgParametricSurfaceMesherFunctions
+
+meshes a model as `make_parametric_surface_mesh()` does, into triangles that share points: any number of them may meet in an edge, so
+that a model with edges of three or more faces, or of several shells, is meshed without being cut.
+
+\tparam Surface a model of `ParametricSurface_3`
+\tparam Criteria a model of `ParametricSurfaceMeshCriteria_2`, usually `Parametric_surface_mesh_criteria`
+\tparam Point_3 the point type of the surfaces
+\tparam Triangle an array of three numbers of points: `std::array<std::size_t, 3>`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `metric_field` and `visitor` as for `make_parametric_surface_mesh()`
+
+\param model the model
+\param criteria what the triangles must meet
+\param points takes the points: those vertices of the model that faces use, the inner points of its edges, the inner points of its faces
+\param triangles takes the triangles, counterclockwise as the faces of the model face
+\param patch_ids takes the number of the face of the model that each triangle lies on
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
+
+What the three ranges held before is lost, unless the input is refused: then they stay as they were.
+
+\return counts, smallest angles, what was not met and why, and the time of each phase
+\throws Parametric_surface_mesh_error as `make_parametric_surface_mesh()`
+*/
+template <class Surface, class Criteria, class Point_3, class Triangle, class NamedParameters = parameters::Default_named_parameters>
+Parametric_surface_mesh_report
+make_parametric_surface_triangle_soup(const Parametric_surface_model_3<Surface>& model, const Criteria& criteria,
+                                      std::vector<Point_3>& points, std::vector<Triangle>& triangles,
+                                      std::vector<std::size_t>& patch_ids,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  using namespace Parametric_surface_mesher::internal;
+  validate(model);
+  return mesh_model(model, criteria, np, false, [](auto& division) { division.number_vertices_first(); },
+                    [&](const auto&, const auto& mesh) {
+                      points.assign(mesh.points.begin(), mesh.points.end());
+                      triangles.assign(mesh.faces.begin(), mesh.faces.end());
+                      patch_ids = mesh.patches;
+                    });
+}
+
+} // namespace CGAL
+
+#endif // CGAL_MAKE_PARAMETRIC_SURFACE_TRIANGLE_SOUP_H

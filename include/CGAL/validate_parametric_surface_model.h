@@ -1,0 +1,189 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_VALIDATE_PARAMETRIC_SURFACE_MODEL_H
+#define CGAL_VALIDATE_PARAMETRIC_SURFACE_MODEL_H
+
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/Boundary_size.h>
+#include <CGAL/Parametric_surface_mesher/internal/Model_uses.h>
+#include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
+#include <CGAL/Parametric_surface_mesher/internal/describe.h>
+#include <CGAL/Parametric_surface_model_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Checks that the parts of a model fit together.
+template <class Surface>
+class Model_validation
+{
+  typedef Parametric_surface_model_3<Surface> Model;
+  typedef typename Model::Edge Edge;
+  typedef typename Model::Edge_use Edge_use;
+  typedef typename Model::Face Face;
+  typedef typename Model::Point_3 Point_3;
+  typedef Model_uses<Model> Uses;
+
+  static const int number_of_samples = 9;
+
+  const Model& m_model;
+  double m_tolerance = 0;
+
+public:
+  explicit Model_validation(const Model& model) : m_model(model) {}
+
+  void operator()()
+  {
+    for(std::size_t f = 0; f < m_model.faces().size(); ++f)
+      for(std::size_t l = 0; l < number_of_loops(f); ++l)
+        check_loop(f, l);
+    m_tolerance = m_model.tolerance() > 0 ? m_model.tolerance() : 1e-6 * model_diagonal(m_model);
+    const Uses uses(m_model);
+    for(std::size_t e : uses.order()) {
+      for(const auto& use : uses[e])
+        check_use(use.face, *use.use, uses[e].front().face, *uses[e].front().use);
+      check_orientation(e, uses);
+    }
+  }
+
+private:
+  static std::string number(const char* what, std::size_t n) { return what + (" " + std::to_string(n)); }
+
+  std::size_t number_of_loops(std::size_t f) const
+  {
+    if(m_model.faces()[f].loops.empty())
+      throw Parametric_surface_mesh_error(number("face", f) + " has no loop");
+    return m_model.faces()[f].loops.size();
+  }
+
+  void check_loop(std::size_t f, std::size_t l) const
+  {
+    const auto& loop = m_model.faces()[f].loops[l];
+    const std::string place = number("face", f) + ", " + number("loop", l);
+    if(loop.empty())
+      throw Parametric_surface_mesh_error(place + " has no edge");
+    for(const Edge_use& use : loop)
+      if(use.edge >= m_model.edges().size())
+        throw Parametric_surface_mesh_error(place + ": there is no " + number("edge", use.edge) + ", only "
+                                            + std::to_string(m_model.edges().size()) + " edges");
+    const Bbox_2 box = loop_box(loop, [](const Edge_use& use) -> const auto& { return use.curve; });
+    const double tolerance = 1e-6 * (box.x_span() + box.y_span());
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      check_joint(loop[i], loop[(i + 1) % loop.size()], place, tolerance);
+  }
+
+  // One use ends where the next one begins, at the same vertex and in the domain.
+  void check_joint(const Edge_use& use, const Edge_use& next, const std::string& place, double tolerance) const
+  {
+    const std::size_t end = end_vertex(use, !use.is_reversed), begin = end_vertex(next, next.is_reversed);
+    if(end != begin)
+      throw Parametric_surface_mesh_error(place + " is open: " + number("edge", use.edge) + " ends at "
+                                          + number("vertex", end) + ", but the next one, " + number("edge", next.edge)
+                                          + ", begins at " + number("vertex", begin));
+    const auto p = use.is_reversed ? use.curve.source() : use.curve.target(),
+               q = next.is_reversed ? next.curve.target() : next.curve.source();
+    if(!(squared_distance(p, q) <= tolerance * tolerance))
+      throw Parametric_surface_mesh_error(place + " is open in the domain: " + number("edge", use.edge)
+                                          + " ends at (u,v) = " + describe(p) + ", the next one, "
+                                          + number("edge", next.edge) + ", begins at " + describe(q));
+  }
+
+  std::size_t end_vertex(const Edge_use& use, bool is_target) const
+  {
+    return is_target ? m_model.edges()[use.edge].target : m_model.edges()[use.edge].source;
+  }
+
+  // The use is the same curve in space, at the same parameters, as the edge: its own curve if it has one, else its first use.
+  void check_use(std::size_t f, const Edge_use& use, std::size_t first_face, const Edge_use& first) const
+  {
+    const Edge& edge = m_model.edges()[use.edge];
+    check_range(f, use, edge.curve ? edge.curve->begin() : first.curve.begin(),
+                edge.curve ? edge.curve->end() : first.curve.end());
+    for(int k = 0; k < number_of_samples; ++k) {
+      const double share = double(k) / (number_of_samples - 1);
+      const Point_3 p = point(f, use, share);
+      if(k == 0 || edge.is_collapsed)
+        check_distance(f, use, p, m_model.vertices()[edge.source], number("vertex", edge.source));
+      else if(k == number_of_samples - 1)
+        check_distance(f, use, p, m_model.vertices()[edge.target], number("vertex", edge.target));
+      else if(edge.curve)
+        check_distance(f, use, p, edge.curve->point(parameter(*edge.curve, share)), "the curve of the edge");
+      else
+        check_distance(f, use, p, point(first_face, first, share), "its image on " + number("face", first_face));
+    }
+  }
+
+  void check_range(std::size_t f, const Edge_use& use, double begin, double end) const
+  {
+    if(use.curve.begin() != begin || use.curve.end() != end)
+      throw Parametric_surface_mesh_error(number("face", f) + ", " + number("edge", use.edge) + ": the curve in the domain has the parameters "
+                                          + describe(use.curve.begin()) + " to " + describe(use.curve.end()) + ", but the edge "
+                                          + describe(begin) + " to " + describe(end));
+  }
+
+  void check_distance(std::size_t f, const Edge_use& use, const Point_3& p, const Point_3& q, const std::string& what) const
+  {
+    const double distance = std::sqrt(squared_distance(p, q));
+    const double tolerance = (std::max)(m_tolerance, m_model.edges()[use.edge].tolerance);
+    if(!(distance <= tolerance))
+      throw Parametric_surface_mesh_error(number("face", f) + ", " + number("edge", use.edge) + ": the image of the curve in the domain is "
+                                          + describe(distance) + " away from " + what + "; the tolerance is "
+                                          + describe(tolerance));
+  }
+
+  template <class Curve>
+  static double parameter(const Curve& curve, double share)
+  {
+    return curve.begin() + share * (curve.end() - curve.begin());
+  }
+
+  Point_3 point(std::size_t f, const Edge_use& use, double share) const
+  {
+    const auto uv = use.curve.point(share == 1 ? use.curve.end() : parameter(use.curve, share));
+    return m_model.faces()[f].surface.point(uv.x(), uv.y());
+  }
+
+  // Two uses in one shell must lie on different sides of the edge.
+  void check_orientation(std::size_t e, const Uses& uses) const
+  {
+    if(m_model.edges()[e].is_collapsed)
+      return;
+    for(const auto& shell : uses.by_shell(e))
+      if(shell.second.size() == 2 && uses.is_face_left(shell.second[0]) == uses.is_face_left(shell.second[1]))
+        throw Parametric_surface_mesh_error("faces " + std::to_string(shell.second[0].face) + " and "
+                                            + std::to_string(shell.second[1].face) + " face to different sides along "
+                                            + number("edge", e) + ": reverse one of them, or call orient_faces()");
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+
+/*!
+\ingroup PkgParametricSurfaceMesherModel
+
+checks that the parts of a model fit together: every loop is closed, by its vertices and in the domain of its face; every
+use of an edge is, at the same parameters, the same curve in space as the edge, within the tolerance of the model or that of the edge if it is larger
+(compared at nine points); and two faces of a shell at an edge face to the same side. Meshing calls it.
+
+\throws Parametric_surface_mesh_error if something does not fit; the message names the face, the loop, the edge and the distance
+
+Complexity: linear in the number of edge uses, apart from looking them up by shell.
+*/
+template <class Surface>
+void validate(const Parametric_surface_model_3<Surface>& model)
+{
+  Parametric_surface_mesher::internal::Model_validation<Surface> check(model);
+  check();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_VALIDATE_PARAMETRIC_SURFACE_MODEL_H
