@@ -10,6 +10,7 @@ packages=(
   libcgal-dev libeigen3-dev libgmp-dev libmpfr-dev
   libboost-dev libboost-program-options-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
+  libtet1.5-dev
 )
 
 if ! command -v apt-get > /dev/null || ! command -v dpkg-query > /dev/null; then
