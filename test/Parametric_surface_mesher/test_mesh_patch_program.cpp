@@ -4,18 +4,27 @@
 // The program mesh_patch from outside: command lines, exit statuses and files.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <Sample_models.h>
+#include <Sample_surfaces.h>
+
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sys/wait.h>
@@ -30,6 +39,21 @@ std::string content(const std::filesystem::path& path)
 {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::set<std::string> words_of(std::string text)
+{
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
+}
+
+std::size_t number_of_occurrences(const std::string& word, const std::string& text)
+{
+  std::size_t n = 0;
+  for(std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1))
+    ++n;
+  return n;
 }
 
 // A directory of its own for each test, which goes away with it.
@@ -102,16 +126,125 @@ TEST_F(Mesh_patch_program, helps)
     EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 
+TEST_F(Mesh_patch_program, names_all_samples)
+{
+  const std::set<std::string> help = words_of(run("--help").out), error = words_of(run("nothing").err);
+  for(const std::string& name : all_sample_names()) {
+    EXPECT_EQ(help.count(name), 1u) << name;
+    EXPECT_EQ(error.count(name), 1u) << name;
+  }
+}
+
 TEST_F(Mesh_patch_program, meshes_all_samples)
 {
-  for(const char* name : {"flat", "bend", "peak", "hole", "cap", "sphere", "torus", "cyl", "skew", "stretch"}) {
+  for(const std::string& name : all_sample_names()) {
     const Result result = run(name);
     EXPECT_EQ(result.status, 0) << name;
     EXPECT_EQ(result.err, "") << name;
-    EXPECT_EQ(result.out.find(std::string(name) + ": "), 0u) << result.out;
+    EXPECT_EQ(result.out.find(name + ": "), 0u) << result.out;
     EXPECT_NE(result.out.find("smallest angle"), std::string::npos) << result.out;
   }
   EXPECT_EQ(number_of_files(), 0u);
+}
+
+// the numbers of the model, then those of the mesh
+struct Topology
+{
+  int faces, vertices, edges, border_edges, seams, poles, euler_characteristic, boundary_cycles;
+};
+
+Topology expected_topology(const std::string& name)
+{
+  const Topology rectangle = {1, 4, 4, 4, 0, 0, 1, 1}, torus = {1, 1, 2, 0, 2, 0, 0, 0};
+  const std::map<std::string, Topology> all = {{"flat", rectangle},
+                                               {"bend", rectangle},
+                                               {"peak", rectangle},
+                                               {"hole", {1, 5, 5, 5, 0, 0, 0, 2}},
+                                               {"cap", rectangle},
+                                               {"skew", rectangle},
+                                               {"stretch", rectangle},
+                                               {"sphere", {1, 2, 1, 0, 1, 2, 2, 0}},
+                                               {"torus", torus},
+                                               {"cyl", {1, 2, 3, 2, 1, 0, 0, 2}},
+                                               {"cone", {2, 3, 3, 0, 2, 2, 2, 0}},
+                                               {"vase", {1, 2, 2, 1, 1, 1, 1, 1}},
+                                               {"ring", torus},
+                                               {"box", {6, 8, 12, 0, 0, 0, 2, 0}}};
+  return all.at(name);
+}
+
+TEST_F(Mesh_patch_program, closes_what_is_closed)
+{
+  for(const std::string& name : all_sample_names()) {
+    SCOPED_TRACE(name);
+    const Topology expected = expected_topology(name);
+    const nlohmann::json result = json(name + " --max-edge 0.1");
+    EXPECT_EQ(result.at("faces"), expected.faces);
+    EXPECT_EQ(result.at("patches"), expected.faces);
+    EXPECT_EQ(result.at("model_vertices"), expected.vertices);
+    EXPECT_EQ(result.at("model_edges"), expected.edges);
+    EXPECT_EQ(result.at("model_border_edges"), expected.border_edges);
+    EXPECT_EQ(result.at("model_seams"), expected.seams);
+    EXPECT_EQ(result.at("model_poles"), expected.poles);
+    EXPECT_EQ(result.at("model_nonmanifold_edges"), 0);
+    EXPECT_EQ(result.at("euler_characteristic"), expected.euler_characteristic);
+    EXPECT_EQ(result.at("boundary_cycles"), expected.boundary_cycles);
+    EXPECT_EQ(result.at("closed"), expected.boundary_cycles == 0);
+    EXPECT_EQ(result.at("border_edges") == 0, expected.boundary_cycles == 0);
+    EXPECT_EQ(result.at("connected_components"), 1);
+    EXPECT_EQ(result.at("manifold"), true);
+    EXPECT_EQ(result.at("inverted_triangles"), 0);
+  }
+}
+
+TEST_F(Mesh_patch_program, tells_what_is_closed)
+{
+  EXPECT_NE(run("sphere").out.find("triangles, 1 connected component, closed\n"), std::string::npos);
+  EXPECT_NE(run("cyl").out.find("triangles, 1 connected component, 2 boundary cycles\n"), std::string::npos);
+  EXPECT_EQ(run("cyl").out.find("closed"), std::string::npos);
+  EXPECT_EQ(run("box").out.find("box: model of 6 faces, "), 0u);
+  EXPECT_EQ(run("sphere").out.find("model"), std::string::npos);
+}
+
+TEST_F(Mesh_patch_program, gives_samples_their_area)
+{
+  for(const std::string& name : sample_patch_names())
+    EXPECT_NEAR(json(name + " --max-edge 0.05").at("area").get<double>() / make_sample(name).area, 1, 0.005) << name;
+  for(const std::string& name : sample_model_names())
+    EXPECT_NEAR(json(name + " --max-edge 0.05").at("area").get<double>() / make_sample_model(name).area, 1, 0.005) << name;
+}
+
+TEST_F(Mesh_patch_program, closed_models_face_outward)
+{
+  const double pi = 4 * std::atan(1.);
+  for(const auto& volume : std::map<std::string, double>{{"sphere", 4 * pi / 3},
+                                                         {"torus", 0.18 * pi * pi},
+                                                         {"cone", 2 * pi / 3},
+                                                         {"ring", 0.32 * pi * pi},
+                                                         {"box", 1.125}}) {
+    SCOPED_TRACE(volume.first);
+    json(volume.first + " --max-edge 0.1 --out out.off");
+    Mesh mesh;
+    ASSERT_TRUE(CGAL::IO::read_OFF(file("out.off"), mesh));
+    EXPECT_TRUE(CGAL::is_closed(mesh));
+    EXPECT_NEAR(CGAL::Polygon_mesh_processing::volume(mesh) / volume.second, 1, 0.02);
+  }
+}
+
+// Only triangles that the fixed edges limit may fail.
+TEST_F(Mesh_patch_program, has_good_angles_at_seams_and_poles)
+{
+  const double smallest = 30 - 1e-6;
+  for(const char* name : {"sphere", "torus", "cyl", "cone"}) {
+    SCOPED_TRACE(name);
+    const nlohmann::json result = json(std::string(name) + " --max-edge 0.1");
+    EXPECT_EQ(result.at("unmet"), 0);
+    EXPECT_LE(result.at("boundary_limited").get<int>(), 3);
+    EXPECT_GE(result.at("min_angle_off_boundary").get<double>(), smallest);
+    if(result.at("boundary_limited") == 0) {
+      EXPECT_GE(result.at("min_angle").get<double>(), smallest);
+    }
+  }
 }
 
 TEST_F(Mesh_patch_program, is_quiet)
@@ -125,8 +258,9 @@ TEST_F(Mesh_patch_program, is_quiet)
 TEST_F(Mesh_patch_program, gives_all_numbers)
 {
   const nlohmann::json result = json("bend --max-edge 0.1");
-  for(const char* key : {"vertices", "triangles", "boundary_limited", "unmet", "connected_components", "boundary_cycles",
-                         "border_edges", "euler_characteristic"})
+  for(const char* key : {"vertices", "triangles", "edges", "boundary_limited", "unmet", "connected_components",
+                         "boundary_cycles", "border_edges", "euler_characteristic", "patches", "faces", "model_vertices",
+                         "model_edges", "model_border_edges", "model_seams", "model_poles", "model_nonmanifold_edges"})
     EXPECT_TRUE(result.at(key).is_number_integer()) << key;
   for(const char* key : {"min_angle", "mean_min_angle", "mean_radius_ratio", "max_deviation", "max_edge"})
     EXPECT_TRUE(result.at(key).is_number_float()) << key;
@@ -184,11 +318,22 @@ TEST_F(Mesh_patch_program, draws_pictures)
     EXPECT_EQ(svg.find("<svg "), 0u) << name;
     EXPECT_NE(svg.find("</svg>"), std::string::npos) << name;
   }
-  const std::string domain = content(file("domain.svg"));
-  std::size_t centers = 0;
-  for(std::size_t i = domain.find("<circle"); i != std::string::npos; i = domain.find("<circle", i + 1))
-    ++centers;
-  EXPECT_EQ(centers, 20u);
+  EXPECT_EQ(number_of_occurrences("<circle", content(file("domain.svg"))), 20u);
+}
+
+TEST_F(Mesh_patch_program, draws_all_samples)
+{
+  for(const std::string& name : all_sample_names()) {
+    SCOPED_TRACE(name);
+    const nlohmann::json result = json(name + " --max-edge 0.2 --picture surface.svg --uv-picture domain.svg");
+    const std::string surface = content(file("surface.svg")), domain = content(file("domain.svg"));
+    for(const std::string& svg : {surface, domain}) {
+      EXPECT_EQ(number_of_occurrences("z\"/>", svg), result.at("triangles"));
+      EXPECT_NE(svg.find(">" + name), std::string::npos);
+      EXPECT_EQ(svg.find("nan"), std::string::npos);
+    }
+    EXPECT_EQ(number_of_occurrences("fill=\"none\"", surface), result.at("border_edges")); // drawn stronger
+  }
 }
 
 TEST_F(Mesh_patch_program, follows_a_prescribed_division)
@@ -198,10 +343,25 @@ TEST_F(Mesh_patch_program, follows_a_prescribed_division)
   EXPECT_EQ(json("flat --max-edge 0.25 --division 8,0,0,0").at("border_edges"), 8 + 3 * 4);
 }
 
+TEST_F(Mesh_patch_program, follows_a_prescribed_division_of_a_model)
+{
+  EXPECT_EQ(json("sphere --max-edge 0.5 --division 30").at("division_edges"), 30);
+  const nlohmann::json cylinder = json("cyl --max-edge 0.5 --division 20,9,24"); // below, seam, above
+  EXPECT_EQ(cylinder.at("border_edges"), 20 + 24);
+  EXPECT_EQ(cylinder.at("division_edges"), 20 + 9 + 24);
+  EXPECT_EQ(json("box --max-edge 0.5 --division 5,6,7,8,9,5,6,7,8,9,5,6").at("division_edges"), 81);
+  const std::size_t divided_by_criteria = json("torus --max-edge 0.2 --division 0,0").at("division_edges");
+  EXPECT_EQ(json("torus --max-edge 0.2").at("division_edges"), divided_by_criteria);
+}
+
 TEST_F(Mesh_patch_program, joins_the_patches_of_the_teapot)
 {
   const nlohmann::json result = json(std::string(teapot) + " --max-edge 0.3 --gamma 0.2");
+  EXPECT_EQ(result.at("faces"), 28);
+  EXPECT_EQ(result.at("model_vertices").get<int>() - result.at("model_edges").get<int>() + result.at("faces").get<int>(),
+            result.at("euler_characteristic"));
   EXPECT_EQ(result.at("connected_components"), 4);
+  EXPECT_EQ(result.at("boundary_cycles"), 7);
   EXPECT_EQ(result.at("manifold"), true);
   EXPECT_EQ(result.at("inverted_triangles"), 0);
 }
@@ -248,6 +408,9 @@ TEST_F(Mesh_patch_program, refuses_impossible_values)
   expect_refused("flat --ellipses -5 --uv-picture u.svg", "--ellipses");
   for(const char* value : {"1,2", "1,2,3,4,5", "a,b,c,d", "-1,1,1,1", "1,,1,1", "99999999,1,1,1", "''"})
     expect_refused(std::string("flat --division ") + value, "--division");
+  expect_refused("hole --division 1,2", "hole takes 5 numbers");
+  expect_refused("sphere --division 1,2,3,4", "sphere takes 1 number,");
+  expect_refused("box --division 1", "box takes 12 numbers");
   expect_refused(std::string(teapot) + " --division 1,2,3", "--division");
 }
 

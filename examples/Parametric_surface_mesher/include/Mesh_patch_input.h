@@ -1,17 +1,18 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What mesh_patch meshes: a sample surface or a model of Bezier patches.
+// What mesh_patch meshes: a single patch or a model.
 #ifndef MESH_PATCH_INPUT_H
 #define MESH_PATCH_INPUT_H
 
 #include "Mesh_patch_options.h"
+#include "Model_counts.h"
+#include "Sample_models.h"
 #include "Sample_surfaces.h"
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/IO/read_bezier_patches.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
-#include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/make_model_of_rectangular_patches.h>
 
 #include <algorithm>
@@ -21,8 +22,6 @@
 #include <utility>
 #include <variant>
 #include <vector>
-
-typedef CGAL::Parametric_surface_model_3<Sample_surface> Sample_model;
 
 struct Mesh_patch_input
 {
@@ -34,7 +33,7 @@ struct Mesh_patch_input
   };
 
   std::string name;
-  std::variant<Sample, Sample_model> source;
+  std::variant<Sample, Sample_surface_model> source;
   std::vector<Patch> patches;
 };
 
@@ -45,34 +44,31 @@ inline bool has_ending(const std::string& name, const std::string& ending)
   return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-// The model with surfaces of the type of the samples, so that the mesher is compiled once for both.
-template <class Surface>
-Sample_model sample_model(const CGAL::Parametric_surface_model_3<Surface>& model)
+// The model as input, with a patch for each face.
+inline Mesh_patch_input model_input(const std::string& name, Sample_surface_model model)
 {
-  Sample_model result;
-  for(const auto& vertex : model.vertices())
-    result.add_vertex(vertex);
-  for(const auto& edge : model.edges())
-    result.add_edge(edge.source, edge.target, edge.is_collapsed);
-  for(const auto& face : model.faces()) {
-    Sample_model::Face copy{Sample_surface(face.surface), {}, face.is_reversed};
-    for(const auto& loop : face.loops) {
-      copy.loops.emplace_back();
-      for(const auto& use : loop)
-        copy.loops.back().push_back({use.edge, use.is_reversed, use.curve});
-    }
-    result.add_face(copy);
-  }
-  return result;
+  std::vector<Mesh_patch_input::Patch> patches;
+  for(const auto& face : model.faces())
+    patches.push_back({face.surface, face.is_reversed});
+  return {name, std::move(model), std::move(patches)};
 }
 
 inline Mesh_patch_input read_model(const std::string& file_name)
 {
-  Sample_model model = sample_model(CGAL::make_model_of_rectangular_patches(CGAL::IO::read_bezier_patches(file_name)));
-  std::vector<Mesh_patch_input::Patch> patches;
-  for(const auto& face : model.faces())
-    patches.push_back({face.surface, face.is_reversed});
-  return {file_name.substr(file_name.find_last_of('/') + 1), std::move(model), std::move(patches)};
+  const auto model = CGAL::make_model_of_rectangular_patches(CGAL::IO::read_bezier_patches(file_name));
+  return model_input(file_name.substr(file_name.find_last_of('/') + 1), sample_surface_model(model));
+}
+
+inline std::string plural(std::size_t n, const std::string& what, const std::string& several = std::string())
+{
+  return std::to_string(n) + " " + (n == 1 ? what : several.empty() ? what + "s" : several);
+}
+
+inline void check_division(const std::string& name, std::size_t expected, const std::string& places, std::size_t given)
+{
+  if(given != expected)
+    throw Usage_error("--division: " + name + " takes " + plural(expected, "number") + ", one for each of its " + places
+                      + ", but " + std::to_string(given) + (given == 1 ? " is" : " are") + " given");
 }
 
 inline void prescribe_division(Sample& sample, const std::vector<unsigned int>& numbers)
@@ -81,25 +77,46 @@ inline void prescribe_division(Sample& sample, const std::vector<unsigned int>& 
   for(auto& loop : sample.domain.loops())
     for(auto& curve : loop)
       curves.push_back(&curve);
-  if(curves.size() != numbers.size())
-    throw Usage_error("--division: " + sample.name + " has " + std::to_string(curves.size()) + " boundary curves, but "
-                      + std::to_string(numbers.size()) + " numbers are given");
+  check_division(sample.name, curves.size(), "boundary curves", numbers.size());
   for(std::size_t i = 0; i < curves.size(); ++i)
     curves[i]->set_number_of_edges(numbers[i]);
 }
 
-inline Mesh_patch_input named_surface(const Mesh_patch_options& options)
+inline void prescribe_division(Sample_model& sample, const std::vector<unsigned int>& numbers)
 {
-  const std::vector<std::string> names = sample_names();
-  if(std::find(names.begin(), names.end(), options.surface) == names.end()) {
-    std::string list;
-    for(const std::string& name : names)
-      list += " " + name;
-    throw Usage_error("'" + options.surface + "' is no surface: give a file that ends in .bpt or one of" + list);
-  }
-  Sample sample = make_sample(options.surface);
+  check_division(sample.name, model_counts(sample.model).edges, "edges that are no poles", numbers.size());
+  std::vector<unsigned int> number_of_edge; // 0 for a collapsed one
+  auto next = numbers.begin();
+  for(const auto& edge : sample.model.edges())
+    number_of_edge.push_back(edge.is_collapsed ? 0 : *next++);
+  for(auto& face : sample.model.faces())
+    for(auto& loop : face.loops)
+      for(auto& use : loop)
+        use.curve.set_number_of_edges(number_of_edge[use.edge]);
+}
+
+inline bool contains(const std::vector<std::string>& names, const std::string& name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// a sample with the division that the options prescribe
+template <class Any_sample>
+Any_sample divided(Any_sample sample, const Mesh_patch_options& options)
+{
   if(!options.numbers_of_edges.empty())
     prescribe_division(sample, options.numbers_of_edges);
+  return sample;
+}
+
+inline Mesh_patch_input named_surface(const Mesh_patch_options& options)
+{
+  if(contains(sample_model_names(), options.surface))
+    return model_input(options.surface, divided(make_sample_model(options.surface), options).model);
+  if(!contains(sample_patch_names(), options.surface))
+    throw Usage_error("'" + options.surface + "' is no surface: give a file that ends in .bpt or one of "
+                      + joined(all_sample_names()));
+  Sample sample = divided(make_sample(options.surface), options);
   std::vector<Mesh_patch_input::Patch> patches = {{sample.surface, false}};
   return {options.surface, std::move(sample), std::move(patches)};
 }
@@ -111,6 +128,13 @@ inline Mesh_patch_input read_input(const Mesh_patch_options& options)
   if(!options.numbers_of_edges.empty())
     throw Usage_error("--division is for the sample surfaces; the curves of a file are divided by --max-edge and --gamma");
   return read_model(options.surface);
+}
+
+inline Model_counts counts(const Mesh_patch_input& input)
+{
+  if(const Sample* sample = std::get_if<Sample>(&input.source))
+    return model_counts(sample->domain);
+  return model_counts(std::get<Sample_surface_model>(input.source));
 }
 
 // The box of a boundary curve, at some points of it.
@@ -134,7 +158,7 @@ inline double default_max_edge(const Mesh_patch_input& input)
         box += curve_box(sample->surface, curve);
   }
   else
-    for(const auto& face : std::get<Sample_model>(input.source).faces())
+    for(const auto& face : std::get<Sample_surface_model>(input.source).faces())
       for(const auto& loop : face.loops)
         for(const auto& use : loop)
           box += curve_box(face.surface, use.curve);

@@ -5,7 +5,7 @@
 #ifndef MESH_PATCH_OPTIONS_H
 #define MESH_PATCH_OPTIONS_H
 
-#include "Sample_surfaces.h"
+#include "Sample_models.h"
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 
@@ -43,15 +43,27 @@ namespace mesh_patch {
 
 namespace po = boost::program_options;
 
-const char* const introduction =
-  "Usage: mesh_patch SURFACE [OPTION]...\n"
-  "\n"
-  "Meshes a parametric surface and prints what came out.\n"
-  "\n"
-  "SURFACE is the name of a sample surface,\n"
-  "    flat bend peak hole cap sphere torus cyl skew stretch,\n"
-  "or a file of Bezier patches that ends in .bpt. Equal boundary curves of patches are\n"
-  "joined, so that neighbours fit without a crack.\n";
+inline std::string joined(const std::vector<std::string>& words)
+{
+  std::string result;
+  for(const std::string& word : words)
+    result += (result.empty() ? "" : " ") + word;
+  return result;
+}
+
+inline std::string introduction()
+{
+  return "Usage: mesh_patch SURFACE [OPTION]...\n"
+         "\n"
+         "Meshes a parametric surface and prints what came out.\n"
+         "\n"
+         "SURFACE is the name of a sample that is a single patch,\n"
+         "    " + joined(sample_patch_names()) + ",\n"
+         "of one that is a model, closed by seams and poles or made of several faces,\n"
+         "    " + joined(sample_model_names()) + ",\n"
+         "or a file of Bezier patches that ends in .bpt. Equal boundary curves of patches are\n"
+         "joined, so that neighbours fit without a crack.\n";
+}
 
 const char* const conclusion =
   "\n"
@@ -68,10 +80,16 @@ const char* const conclusion =
   "  boundary_limited              triangles that fail a criterion at the boundary\n"
   "  unmet                         triangles that fail a criterion for another cause\n"
   "  unmet_by                      both of them by criterion and cause\n"
+  "  closed, boundary_cycles       whether the mesh has no border, and how many borders it has\n"
+  "  euler_characteristic          of the mesh: vertices - edges + triangles\n"
+  "  faces, model_vertices, model_edges     of the model; a single patch is one face\n"
+  "  model_border_edges, model_seams, model_nonmanifold_edges     edges of the model that are\n"
+  "                                used once, twice by one face, three times or more\n"
+  "  model_poles                   collapsed edges, which none of the other numbers counts\n"
   "  seconds                       processor time of each phase; `meshing` is their sum,\n"
   "                                without reading, measuring and writing\n"
   "\n"
-  "In --uv and --uv-picture the patches of a file lie side by side, uv_columns (of --json) in a\n"
+  "In --uv and --uv-picture the patches of a model lie side by side, uv_columns (of --json) in a\n"
   "row: the one in column i of row j, counted from 0, is moved by (i, -j) times uv_shift.\n"
   "\n"
   "Exit status: 0 if there is a mesh, even if not all triangles meet the criteria; 2 after an\n"
@@ -103,7 +121,8 @@ inline po::options_description described_options(Mesh_patch_options& o)
      "first-fundamental-form: triangles well shaped in space; or principal-curvature: stretched along the direction of "
      "least curvature (first-fundamental-form)")
     ("division", po::value<std::string>(&o.division)->value_name("N1,N2,..."),
-     "numbers of edges of the boundary curves, loop by loop; 0 leaves a curve to the criteria");
+     "numbers of edges of the boundary curves, loop by loop, or of the edges of a model that are no poles, in the order "
+     "of their first use, face by face; 0 leaves a curve to the criteria");
   po::options_description output("Output", 92);
   output.add_options()
     ("out", file(o.out), "the mesh, as .off, .obj, .ply or .stl")
@@ -121,7 +140,7 @@ inline po::options_description described_options(Mesh_patch_options& o)
 inline void print_help(std::ostream& out)
 {
   Mesh_patch_options defaults;
-  out << introduction << "\n" << described_options(defaults) << conclusion;
+  out << introduction() << "\n" << described_options(defaults) << conclusion;
 }
 
 // the numbers of edges in a list like "400,10,0,10"

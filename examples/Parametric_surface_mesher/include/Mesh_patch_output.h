@@ -8,6 +8,7 @@
 #include "Mesh_patch_input.h"
 #include "Mesh_patch_options.h"
 #include "Mesh_patch_result.h"
+#include "Model_counts.h"
 #include "Output_files.h"
 #include "Patch_triangles.h"
 #include "write_mesh_picture.h"
@@ -131,6 +132,17 @@ inline std::vector<Unmet_count> unmet_counts(const CGAL::Parametric_surface_mesh
   return result;
 }
 
+inline nlohmann::ordered_json json_of_model(const Model_counts& counts)
+{
+  return {{"faces", counts.faces},
+          {"model_vertices", counts.vertices},
+          {"model_edges", counts.edges},
+          {"model_border_edges", counts.border_edges},
+          {"model_seams", counts.seams},
+          {"model_poles", counts.poles},
+          {"model_nonmanifold_edges", counts.nonmanifold_edges}};
+}
+
 inline nlohmann::ordered_json json_of_shape(const CGAL::Triangle_mesh_quality& q, const CGAL::Triangle_mesh_deviation& d)
 {
   return {{"vertices", q.number_of_vertices},
@@ -186,6 +198,7 @@ inline void write_json(std::ostream& out, const Mesh_patch_input& input, const M
        {"uv_columns", layout.columns}, {"uv_shift", layout.shift}};
   if(criteria.distance() > 0)
     json["distance"] = criteria.distance();
+  json.update(json_of_model(counts(input)));
   json.update(json_of_shape(result.quality, result.deviation));
   json.update(json_of_report(result.report));
   out << json.dump(2) << "\n";
@@ -212,9 +225,16 @@ inline Output_files output_files(const Mesh_patch_options& o, const Mesh_patch_i
   return files;
 }
 
-inline std::string plural(std::size_t n, const std::string& what, const std::string& several = std::string())
+// The first line of the summary.
+inline void print_size(std::ostream& out, const Mesh_patch_input& input, const CGAL::Triangle_mesh_quality& q)
 {
-  return std::to_string(n) + " " + (n == 1 ? what : several.empty() ? what + "s" : several);
+  out << input.name << ": ";
+  if(input.patches.size() > 1)
+    out << "model of " << plural(input.patches.size(), "face") << ", ";
+  out << plural(q.number_of_vertices, "vertex", "vertices") << ", " << plural(q.number_of_faces, "triangle") << ", "
+      << plural(q.number_of_connected_components, "connected component") << ", "
+      << (q.is_closed ? "closed" : plural(q.number_of_boundary_cycles, "boundary cycle"))
+      << (q.is_manifold ? "" : ", NOT MANIFOLD") << "\n";
 }
 
 inline void print_summary(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_result& result)
@@ -223,10 +243,8 @@ inline void print_summary(std::ostream& out, const Mesh_patch_input& input, cons
   const auto& d = result.deviation;
   const auto& s = result.report.seconds;
   out.precision(4);
-  out << input.name << ": " << plural(q.number_of_vertices, "vertex", "vertices") << ", " << plural(q.number_of_faces, "triangle")
-      << ", " << plural(q.number_of_connected_components, "connected component") << ", "
-      << plural(q.number_of_boundary_cycles, "boundary cycle") << (q.is_manifold ? "" : ", NOT MANIFOLD") << "\n"
-      << "  smallest angle " << q.min_angle << " degrees, its mean " << q.mean_min_angle << "; mean 2r/R "
+  print_size(out, input, q);
+  out << "  smallest angle " << q.min_angle << " degrees, its mean " << q.mean_min_angle << "; mean 2r/R "
       << q.mean_radius_ratio << "\n"
       << "  deviation ratio up to " << d.max_inner_deviation_ratio << " inside ("
       << d.max_inner_normal_deviation_ratio << " along the normal), " << d.max_border_deviation_ratio

@@ -138,7 +138,7 @@ void mesh_with_metric(const Mesh_patch_input& input, const Mesh_patch_options& o
       result.report
         = CGAL::make_parametric_surface_mesh(sample->surface, sample->domain, result.criteria, result.mesh, maps);
     else
-      result.report = CGAL::make_parametric_surface_mesh(std::get<Sample_model>(input.source), result.criteria,
+      result.report = CGAL::make_parametric_surface_mesh(std::get<Sample_surface_model>(input.source), result.criteria,
                                                          result.mesh, maps);
   }
   measure(input, uv, patch, result);

@@ -1,7 +1,8 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The named test surfaces of the example and benchmark programs, with their domains and areas.
+// The named test surfaces of the example and benchmark programs, with their domains and areas: each a single patch. Closed
+// surfaces are cut open along a seam here; Sample_models.h closes them.
 #ifndef SAMPLE_SURFACES_H
 #define SAMPLE_SURFACES_H
 
@@ -42,6 +43,17 @@ public:
   Jet jet(double u, double v) const { return m_jet(u, v); }
 };
 
+namespace sample_surfaces {
+
+// the length of the edges of `number_of_triangles` equilateral triangles with this area in all
+inline double edge_length(double area, double number_of_triangles)
+{
+  return std::sqrt(4 * area / (std::sqrt(3.) * number_of_triangles));
+}
+
+} // namespace sample_surfaces
+
+// A patch: a surface with its domain.
 struct Sample
 {
   std::string name;
@@ -49,10 +61,9 @@ struct Sample
   CGAL::Parametric_domain_2<Sample_kernel> domain;
   double area;
 
-  // the length of the edges of `number_of_triangles` equilateral triangles with the area of the surface
   double edge_length(double number_of_triangles) const
   {
-    return std::sqrt(4 * area / (std::sqrt(3.) * number_of_triangles));
+    return sample_surfaces::edge_length(area, number_of_triangles);
   }
 };
 

@@ -148,12 +148,18 @@ private:
     svg.end_group();
   }
 
+  // 0 stands for what rounding errors make of it
+  std::string bound(const Point_2& corner, int i) const
+  {
+    return compact(std::abs(corner[i]) < 1e-9 * (m_high[i] - m_low[i]) ? 0 : corner[i]);
+  }
+
   void write_caption(Svg_writer& svg) const
   {
     std::vector<std::string> parts{std::to_string(m_triangles.size()) + " triangles"};
     if(m_options.is_range_shown) {
-      parts.push_back("u " + compact(m_low[0]) + " to " + compact(m_high[0]));
-      parts.push_back("v " + compact(m_low[1]) + " to " + compact(m_high[1]));
+      parts.push_back("u " + bound(m_low, 0) + " to " + bound(m_high, 0));
+      parts.push_back("v " + bound(m_low, 1) + " to " + bound(m_high, 1));
     }
     if(m_scale_ratio != 1)
       parts.push_back(m_scale_ratio > 1 ? "v drawn " + compact(m_scale_ratio) + " times larger than u"
