@@ -232,6 +232,8 @@ public:
         return Mesh_2::BAD;
       quality.criterion = Mesh_criterion::DEVIATION;
       quality.badness = squared_deviation(f, m_oracle, m_gamma, m_squared_min_edge) / m_squared_gamma;
+      if(!(quality.badness > 1) && m_oracle.is_inverted(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()))
+        quality.badness = 2;
       if(!(quality.badness > 1) && m_squared_distance > 0) {
         quality.criterion = Mesh_criterion::DISTANCE;
         quality.badness = squared_distance_to_surface(f, m_oracle, m_gamma, m_squared_min_edge) / m_squared_distance;

@@ -107,21 +107,57 @@ public:
     typedef typename Geom_traits::Point_2 Point_2;
     const Point_2 middle = domain_middle(m_surface, static_cast<const Point_2&>(p), static_cast<const Point_2&>(q));
     const Point_3 &a = p.surface_point(), &b = q.surface_point();
-    const bool is_near = !m_singular_points.empty()
-                         && is_near_singular_point(midpoint(a, b), std::sqrt(squared_distance(a, b)) / (6 * gamma));
-    const double result = is_near ? squared_height_along_normal(middle, a, b)
-                                  : vector_from_line(m_surface.point(middle.x(), middle.y()), a, b).squared_length();
+    const Vector_3 height = vector_from_line(m_surface.point(middle.x(), middle.y()), a, b);
+    double result = height.squared_length();
+    if(counts_along_normal_only(p, q, result, gamma))
+      result = squared_height_along_normal(middle, height);
     if(!std::isfinite(result))
       Parametric_surface_mesher::internal::throw_not_finite(m_surface, middle);
     return result;
   }
 
+  /*!
+  tells whether a triangle, given by its corners counterclockwise in the domain, lies on the wrong side: facing away from the surface at its centroid. That
+  can be only where the parametrisation changes its speed within the triangle.
+  */
+  template <class ParametricPoint>
+  bool is_inverted(const ParametricPoint& p, const ParametricPoint& q, const ParametricPoint& r) const
+  {
+    if(is_nearly_uniform(p, q) && is_nearly_uniform(q, r) && is_nearly_uniform(r, p))
+      return false;
+    const Surface_jet_3<Geom_traits> jet = m_surface.jet((p.x() + q.x() + r.x()) / 3, (p.y() + q.y() + r.y()) / 3);
+    return cross_product(jet.du, jet.dv)
+             * cross_product(q.surface_point() - p.surface_point(), r.surface_point() - p.surface_point()) < 0;
+  }
+
 private:
+  template <class ParametricPoint>
+  bool counts_along_normal_only(const ParametricPoint& p, const ParametricPoint& q, double squared_height, double gamma) const
+  {
+    const Point_3 &a = p.surface_point(), &b = q.surface_point();
+    const double squared_length = squared_distance(a, b);
+    if(squared_height <= gamma * gamma * squared_length)
+      return false;
+    if(!m_singular_points.empty() && is_near_singular_point(midpoint(a, b), std::sqrt(squared_length) / (6 * gamma)))
+      return true;
+    return squared_height < 0.09 * squared_length && !is_nearly_uniform(p, q);
+  }
+
+  // Whether the parametrisation has nearly the same speed all along an edge.
+  template <class ParametricPoint>
+  bool is_nearly_uniform(const ParametricPoint& p, const ParametricPoint& q) const
+  {
+    const double du = q.x() - p.x(), dv = q.y() - p.y();
+    const double at_p = p.tensor().squared_length(du, dv), at_q = q.tensor().squared_length(du, dv),
+                 between = m_metric.squared_length(p, q);
+    return (std::max)({at_p, at_q, between}) < 1.5 * (std::min)({at_p, at_q, between});
+  }
+
   template <class Point_2>
-  double squared_height_along_normal(const Point_2& middle, const Point_3& a, const Point_3& b) const
+  double squared_height_along_normal(const Point_2& middle, const Vector_3& height) const
   {
     const Surface_jet_3<Geom_traits> jet = m_surface.jet(middle.x(), middle.y());
-    const Vector_3 normal = cross_product(jet.du, jet.dv), height = vector_from_line(jet.point, a, b);
+    const Vector_3 normal = cross_product(jet.du, jet.dv);
     const double along = height * normal, length = normal.squared_length();
     return length > 0 ? along * along / length : height.squared_length();
   }

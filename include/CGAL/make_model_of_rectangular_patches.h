@@ -26,6 +26,17 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
+// The box of nine points of a patch: its corners alone can be one point.
+template <class Surface>
+Bbox_3 box_of_patch(const Surface& s)
+{
+  Bbox_3 box;
+  for(double u : {s.u_min(), 0.5 * (s.u_min() + s.u_max()), s.u_max()})
+    for(double v : {s.v_min(), 0.5 * (s.v_min() + s.v_max()), s.v_max()})
+      box += s.point(u, v).bbox();
+  return box;
+}
+
 // Finds the boundary curves that rectangular patches have in common.
 template <class Surface>
 class Patch_matcher
@@ -196,7 +207,7 @@ Curves match if they are equal at equal parameters (in the same or the opposite 
 meet along a part of a side, or with different parametrisations, are not joined.
 
 \param surfaces the patches
-\param tolerance how far apart points may be that are to be one. 0 stands for 1e-9 of the diagonal of the bounding box of all corners.
+\param tolerance how far apart points may be that are to be one. 0 stands for 1e-9 of the diagonal of the bounding box (of nine points of each patch).
 \throws Parametric_surface_mesh_error if a connected piece is not orientable
 
 Complexity: `O(n log n)` for `n` patches whose corners are spread out in space.
@@ -210,9 +221,7 @@ Parametric_surface_model_3<Surface> make_model_of_rectangular_patches(const std:
   if(!(tolerance > 0)) {
     Bbox_3 box;
     for(const Surface& s : surfaces)
-      for(double u : {s.u_min(), s.u_max()})
-        for(double v : {s.v_min(), s.v_max()})
-          box += s.point(u, v).bbox();
+      box += Parametric_surface_mesher::internal::box_of_patch(s);
     tolerance = 1e-9 * std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
   }
   return Parametric_surface_mesher::internal::Patch_matcher<Surface>(surfaces, tolerance)();

@@ -3,6 +3,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_BOUNDARY_LOOPS_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_BOUNDARY_LOOPS_H
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/describe.h>
@@ -33,6 +34,16 @@ struct Boundary_vertex
 // The divided boundary of a patch, outer loop first.
 template <class Kernel>
 using Boundary_loops = std::vector<std::vector<Boundary_vertex<Kernel>>>;
+
+template <class Kernel>
+Bbox_2 box_of_loops(const Boundary_loops<Kernel>& loops)
+{
+  Bbox_2 box;
+  for(const auto& loop : loops)
+    for(const Boundary_vertex<Kernel>& vertex : loop)
+      box += vertex.domain_point.bbox();
+  return box;
+}
 
 // Looks for what keeps a division from bounding a domain: fewer than three points, values that are not finite, segments of
 // length zero, and segments that meet elsewhere than in a common vertex. All tests are exact; O(n log n).

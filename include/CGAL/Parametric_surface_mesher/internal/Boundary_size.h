@@ -123,7 +123,7 @@ private:
   {
     const Surface_jet_3<Kernel> jet = m_oracle.surface().jet(p.x(), p.y());
     const double sum = (jet.du + jet.dv + jet.duu + jet.duv + jet.dvv).squared_length();
-    return std::isfinite(sum) ? m_limit.by_curvature(jet) : std::numeric_limits<double>::infinity();
+    return std::isfinite(sum) ? m_limit.by_curvature(p, jet) : std::numeric_limits<double>::infinity();
   }
 };
 

@@ -4,6 +4,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_DIVISION_H
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_size.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -256,12 +258,18 @@ private:
   void divide(std::size_t number, std::size_t least_number_of_pieces)
   {
     Division& division = m_divisions[number];
+    const std::size_t prescribed = prescribed_number(number);
+    if(prescribed > 0 && prescribed < least_number_of_pieces)
+      throw Parametric_surface_mesh_error("edge " + std::to_string(number) + " is to be divided into "
+                                          + std::to_string(prescribed) + " pieces, but it needs at least "
+                                          + std::to_string(least_number_of_pieces)
+                                          + ": with fewer, edges of the mesh would coincide");
     with_curve(number, [&](const auto& curve) {
       if(m_model.edges()[number].is_collapsed)
         division.parameters = {curve.begin(), curve.end()};
       else
         division.parameters = divide_curve(curve, m_criteria, [&](double t) { return spacing_limit(number, t); },
-                                           least_number_of_pieces, prescribed_number(number));
+                                           least_number_of_pieces, prescribed);
       for(double t : division.parameters)
         division.points.push_back(curve.point(t));
     });

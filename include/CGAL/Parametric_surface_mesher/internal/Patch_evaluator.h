@@ -3,10 +3,12 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_EVALUATOR_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_EVALUATOR_H
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Parametric_point_2.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Chord_jet.h>
 #include <CGAL/Parametric_surface_mesher/internal/Spacing_limit.h>
 #include <CGAL/Surface_jet_3.h>
 
@@ -39,10 +41,12 @@ public:
 private:
   const Oracle& m_oracle;
   Spacing_limit<Oracle> m_spacing_limit;
+  Chord_jet<typename Oracle::Surface> m_chord_jet;
 
 public:
-  Patch_evaluator(const Oracle& oracle, const Parametric_surface_mesh_criteria& criteria)
-    : m_oracle(oracle), m_spacing_limit(oracle, criteria)
+  // `box`: of the patch, in the coordinates that it is meshed in
+  Patch_evaluator(const Oracle& oracle, const Parametric_surface_mesh_criteria& criteria, const Bbox_2& box)
+    : m_oracle(oracle), m_spacing_limit(oracle, criteria), m_chord_jet(oracle.surface(), box)
   {}
 
   const Oracle& oracle() const { return m_oracle; }
@@ -64,10 +68,15 @@ private:
   {
     Metric_tensor_2 tensor = m_oracle.metric().tensor(jet);
     check_finite(uv, surface_point, tensor);
-    const bool is_replaced = !is_well_conditioned(tensor);
-    if(is_replaced)
-      tensor = regularized(tensor);
-    return {Parametric_point_2<Kernel>(uv, surface_point, tensor), spacing_limit(uv, jet), is_replaced};
+    const double limit = spacing_limit(uv, jet);
+    const bool is_by_chords = m_chord_jet.is_needed(jet, limit);
+    if(is_by_chords) {
+      tensor = m_oracle.metric().tensor(m_chord_jet(uv, jet, limit));
+      check_finite(uv, surface_point, tensor);
+    }
+    const bool is_regular = is_well_conditioned(tensor);
+    return {Parametric_point_2<Kernel>(uv, surface_point, is_regular ? tensor : regularized(tensor)), limit,
+            is_by_chords || !is_regular};
   }
 
   // curvature limits the spacing by what the lines of the domain do, not those of a chart
@@ -92,7 +101,7 @@ private:
     return m.is_positive_definite() && m.determinant() > 1e-14 * m.trace() * m.trace();
   }
 
-  // Where the parametrisation is singular the tensor is not positive definite. A small multiple of the identity
+  // Where the parametrisation is singular and chords do not help, the tensor is not positive definite. A small multiple of the identity
   // makes it so; at a point where all derivatives vanish it is the identity.
   static Metric_tensor_2 regularized(const Metric_tensor_2& m)
   {

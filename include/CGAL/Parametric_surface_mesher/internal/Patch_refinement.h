@@ -8,6 +8,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Bad_face_queue.h>
 #include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
+#include <CGAL/Parametric_surface_mesher/internal/Landing.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Point_placement.h>
@@ -42,7 +43,11 @@ private:
   typedef typename Evaluator::Evaluated Evaluated;
   typedef internal::Location<Triangulation> Location;
 
+  typedef typename Point_placement<Kernel>::Weights Weights;
+
   static constexpr double fraction_of_spacing = 0.15;
+  static constexpr double tolerated_squared_error = 0.04; // of a point's place, by the circumradius
+  static const int max_number_of_corrections = 4;
 
   // a position that has been looked at
   struct Candidate
@@ -140,10 +145,10 @@ private:
   {
     const Face_measures measures = face_measures(face, m_evaluate.oracle().metric());
     const double squared_distance = required_squared_distance(face, measures);
-    const Point_2 center = Point_placement<Kernel>::circumcenter(face, measures);
     Candidate candidate;
     m_positions.clear();
-    if(is_acceptable(face, center, squared_distance, candidate)) {
+    if(is_in_domain(face, Point_placement<Kernel>::circumcenter_weights(measures), measures.squared_circumradius, candidate)
+       && is_far_enough(candidate, squared_distance)) {
       if(is_near_boundary(candidate) && encroaches(candidate))
         return insert_alternative(face, measures, squared_distance);
       insert(candidate);
@@ -153,6 +158,26 @@ private:
       return insert_alternative(face, measures, squared_distance);
     append_apices(candidate.location);
     return insert_alternative(face, measures, squared_distance);
+  }
+
+  // The point of the face with these barycentric coordinates. Where the parametrisation changes its speed within the face, its affine
+  // map is corrected by where points land.
+  bool is_in_domain(Face_handle face, const Weights& weights, double squared_circumradius, Candidate& candidate)
+  {
+    if(!is_in_domain(face, Point_placement<Kernel>::barycentric(face, weights), candidate))
+      return false;
+    const Landing<Kernel> landing(face, weights);
+    for(int step = 0; step < max_number_of_corrections; ++step) {
+      const double squared_error = landing.squared_error(candidate.evaluated.point);
+      if(!(squared_error > tolerated_squared_error * squared_circumradius))
+        break;
+      Candidate corrected;
+      if(!is_in_domain(candidate.location.face, landing.corrected(candidate.evaluated.point), corrected)
+         || !(landing.squared_error(corrected.evaluated.point) < 0.7 * squared_error))
+        break;
+      candidate = corrected;
+    }
+    return true;
   }
 
   // How far from other vertices a point for a bad face must be: 0.7 of its shortest edge (measured against the spacing of its
@@ -177,18 +202,24 @@ private:
     return required;
   }
 
-  // The position is in the domain, and no closer to a vertex of the face that holds it than the distance.
-  bool is_acceptable(Face_handle from, const Point_2& uv, double squared_distance, Candidate& candidate)
+  bool is_in_domain(Face_handle from, const Point_2& uv, Candidate& candidate)
   {
     candidate.location = walk_in_domain(m_triangulation, from, uv);
     if(candidate.location.kind != Location::IN_FACE && candidate.location.kind != Location::ON_EDGE)
       return false;
-    const Face_handle face = candidate.location.face;
-    if(candidate.location.kind == Location::ON_EDGE && face->is_constrained(candidate.location.index))
+    if(candidate.location.kind == Location::ON_EDGE
+       && candidate.location.face->is_constrained(candidate.location.index))
       return false;
     candidate.evaluated = m_evaluate(uv);
+    return true;
+  }
+
+  // no closer to a vertex of the face that holds it than the distance
+  bool is_far_enough(const Candidate& candidate, double squared_distance) const
+  {
     for(int i = 0; i < 3; ++i)
-      if(m_evaluate.oracle().metric().squared_length(face->vertex(i)->point(), candidate.evaluated.point) < squared_distance)
+      if(m_evaluate.oracle().metric().squared_length(candidate.location.face->vertex(i)->point(), candidate.evaluated.point)
+         < squared_distance)
         return false;
     return true;
   }
@@ -233,21 +264,26 @@ private:
   // Tries other positions and inserts the one with the best star, if that is better than the face.
   bool insert_alternative(Face_handle face, const Face_measures& measures, double squared_distance)
   {
-    Point_placement<Kernel>::append_alternatives(face, measures, m_positions);
     Candidate best;
     double best_sine = measures.squared_smallest_sine;
     bool is_found = false;
-    for(const Point_2& position : m_positions) {
-      Candidate candidate;
-      if(!is_acceptable(face, position, squared_distance, candidate))
-        continue;
+    const auto consider = [&](const Candidate& candidate) {
+      if(!is_far_enough(candidate, squared_distance))
+        return;
       const double sine = smallest_sine_of_star(candidate);
       if(sine > best_sine) {
         best = candidate;
         best_sine = sine;
         is_found = true;
       }
-    }
+    };
+    Candidate candidate;
+    for(const Point_2& position : m_positions)
+      if(is_in_domain(face, position, candidate))
+        consider(candidate);
+    for(const Weights& weights : Point_placement<Kernel>::alternatives(measures))
+      if(is_in_domain(face, weights, measures.squared_circumradius, candidate))
+        consider(candidate);
     if(is_found)
       insert(best);
     return is_found;

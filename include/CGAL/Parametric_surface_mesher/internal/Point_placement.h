@@ -6,6 +6,8 @@
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 
+#include <boost/container/static_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,35 +24,51 @@ class Point_placement
 {
 public:
   typedef typename Kernel::Point_2 Point_2;
+  typedef std::array<double, 3> Weights; // barycentric coordinates in a face
 
-  // The centre of the circumellipse (paper, section "Procedure").
-  template <class Face_handle>
-  static Point_2 circumcenter(Face_handle face, const Face_measures& measures)
+  // The centre of the circumellipse (paper, section "Procedure"), or of a triangle without area the centroid.
+  static Weights circumcenter_weights(const Face_measures& measures)
   {
     const std::array<double, 3>& l = measures.squared_lengths;
-    std::array<double, 3> w = {l[0] * (l[1] + l[2] - l[0]), l[1] * (l[2] + l[0] - l[1]), l[2] * (l[0] + l[1] - l[2])};
+    const Weights w = {l[0] * (l[1] + l[2] - l[0]), l[1] * (l[2] + l[0] - l[1]), l[2] * (l[0] + l[1] - l[2])};
     const double sum = w[0] + w[1] + w[2];
     if(!(sum > 1e-12 * (std::max)({l[0], l[1], l[2]}) * (std::max)({l[0], l[1], l[2]})))
-      return barycentric(face, {1. / 3, 1. / 3, 1. / 3});
-    return barycentric(face, {w[0] / sum, w[1] / sum, w[2] / sum});
+      return {1. / 3, 1. / 3, 1. / 3};
+    return {w[0] / sum, w[1] / sum, w[2] / sum};
+  }
+
+  template <class Face_handle>
+  static Point_2 barycentric(Face_handle face, const Weights& w)
+  {
+    double x = 0, y = 0;
+    for(int i = 0; i < 3; ++i) {
+      x += w[i] * face->vertex(i)->point().x();
+      y += w[i] * face->vertex(i)->point().y();
+    }
+    return Point_2(x, y);
   }
 
   // Positions for a face whose circumcentre is not acceptable, best guess first: on the axis of its shortest edge
   // (off-centres: apices of isosceles triangles), and the middle of the face.
-  template <class Face_handle>
-  static void append_alternatives(Face_handle face, const Face_measures& measures, std::vector<Point_2>& positions)
+  static boost::container::static_vector<Weights, 4> alternatives(const Face_measures& measures)
   {
     const std::array<double, 3>& l = measures.squared_lengths;
     const int shortest = int(std::min_element(l.begin(), l.end()) - l.begin());
-    const Point_2 center = circumcenter(face, measures);
-    const Point_2 middle = barycentric(face, {shortest == 0 ? 0 : 0.5, shortest == 1 ? 0 : 0.5, shortest == 2 ? 0 : 0.5});
+    const Weights center = circumcenter_weights(measures);
     const double distance = std::sqrt((std::max)(0., measures.squared_circumradius - l[shortest] / 4));
+    boost::container::static_vector<Weights, 4> result;
     for(double height : {1.4, 0.87, 0.6}) {
       const double share = height * std::sqrt(l[shortest]) / distance;
-      if(share < 1)
-        positions.push_back(interpolate(middle, center, share));
+      if(!(share < 1))
+        continue;
+      Weights weights = {0.5, 0.5, 0.5};
+      weights[shortest] = 0;
+      for(int i = 0; i < 3; ++i)
+        weights[i] += share * (center[i] - weights[i]);
+      result.push_back(weights);
     }
-    positions.push_back(barycentric(face, {1. / 3, 1. / 3, 1. / 3}));
+    result.push_back({1. / 3, 1. / 3, 1. / 3});
+    return result;
   }
 
   // The apex of an isosceles triangle on the left of the edge from `p` to `q`, perpendicular to it under the tensor. The
@@ -73,21 +91,6 @@ public:
   }
 
 private:
-  template <class Face_handle>
-  static Point_2 barycentric(Face_handle face, const std::array<double, 3>& w)
-  {
-    double x = 0, y = 0;
-    for(int i = 0; i < 3; ++i) {
-      x += w[i] * face->vertex(i)->point().x();
-      y += w[i] * face->vertex(i)->point().y();
-    }
-    return Point_2(x, y);
-  }
-
-  static Point_2 interpolate(const Point_2& p, const Point_2& q, double share)
-  {
-    return Point_2(p.x() + share * (q.x() - p.x()), p.y() + share * (q.y() - p.y()));
-  }
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -25,6 +26,8 @@ class Spacing_limit
   typedef typename Kernel::Point_2 Point_2;
   typedef typename Kernel::Vector_3 Vector_3;
 
+  static constexpr double trusted_share = 0.3; // of the limit by the curvature of the surface
+
   const Oracle& m_oracle;
   const Parametric_surface_mesh_criteria& m_criteria;
 
@@ -35,7 +38,7 @@ public:
 
   double operator()(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
   {
-    double limit = by_curvature(jet);
+    double limit = by_curvature(uv, jet);
     if(m_criteria.sizing_field())
       limit = (std::min)(limit, wanted_size(uv));
     return (std::max)(limit, m_criteria.min_edge());
@@ -44,13 +47,14 @@ public:
   double operator()(const Point_2& uv) const { return (*this)(uv, m_oracle.surface().jet(uv.x(), uv.y())); }
 
   // without the sizing field
-  double by_curvature(const Surface_jet_3<Kernel>& jet) const
+  double by_curvature(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
   {
     const double limit = limit_for(Surface_curvature_3<Kernel>(jet).max_absolute_curvature());
     // around a singular point the lines bend however small the edges are, and the oracle does not count that
     if(m_oracle.is_near_singular_point(jet.point, limit / (6 * m_criteria.gamma())))
       return limit;
-    return (std::min)(limit, limit_for(largest_line_curvature(jet)));
+    const double line_limit = limit_for(largest_line_curvature(jet));
+    return line_limit > trusted_share * limit || is_steady(uv, jet, line_limit) ? (std::min)(limit, line_limit) : limit;
   }
 
 private:
@@ -64,6 +68,21 @@ private:
     if(m_criteria.distance() > 0 && curvature * limit * limit > 7 * m_criteria.distance())
       limit = std::sqrt(7 * m_criteria.distance() / curvature);
     return limit;
+  }
+
+  // Close to where the parametrisation is singular the lines bend more and more, although the surface does not. Their curvature counts
+  // only if it is much the same over the length that it asks for.
+  bool is_steady(const Point_2& uv, const Surface_jet_3<Kernel>& jet, double line_limit) const
+  {
+    const double du = 0.75 * line_limit / std::sqrt(jet.du.squared_length()),
+                 dv = 0.75 * line_limit / std::sqrt(jet.dv.squared_length());
+    for(const auto& step : {std::make_pair(du, 0.), std::make_pair(-du, 0.), std::make_pair(0., dv), std::make_pair(0., -dv)}) {
+      const Surface_jet_3<Kernel> other = m_oracle.surface().jet(uv.x() + step.first, uv.y() + step.second);
+      const double other_limit = limit_for(largest_line_curvature(other));
+      if(!(other_limit < 1.6 * line_limit && line_limit < 1.6 * other_limit))
+        return false;
+    }
+    return true;
   }
 
   // The largest curvature in space of the images of straight domain lines, sampled in four directions of the tangent

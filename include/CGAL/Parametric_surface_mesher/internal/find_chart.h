@@ -33,12 +33,8 @@ class Chart_finder
   Bbox_2 m_box;
 
 public:
-  Chart_finder(const Surface& surface, const Boundary_loops<Kernel>& loops) : m_surface(surface), m_loops(loops)
-  {
-    for(const auto& loop : loops)
-      for(const Boundary_vertex<Kernel>& vertex : loop)
-        m_box += vertex.domain_point.bbox();
-  }
+  Chart_finder(const Surface& surface, const Boundary_loops<Kernel>& loops) : m_surface(surface), m_loops(loops), m_box(box_of_loops(loops))
+  {}
 
   Chart operator()() const
   {

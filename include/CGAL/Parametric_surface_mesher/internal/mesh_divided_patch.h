@@ -69,12 +69,12 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
   const Surface surface(oracle.surface(), find_chart(oracle.surface(), loops));
   const Charted_oracle charted_oracle(surface, oracle.metric(), oracle.singular_points());
   const Criteria charted_criteria = chart_criteria(criteria, surface.chart());
-  const Evaluator evaluator(charted_oracle, charted_criteria);
+  const Boundary_loops<Kernel> charted_loops = chart_loops(loops, surface.chart());
+  const Evaluator evaluator(charted_oracle, charted_criteria, box_of_loops(charted_loops));
   Patch_triangulation_2<Kernel> triangulation;
   {
     Phase_timer timer(report.seconds.triangulation);
     visitor.on_phase("triangulation");
-    const Boundary_loops<Kernel> charted_loops = chart_loops(loops, surface.chart());
     Boundary_triangulator<Kernel> triangulate(triangulation, charted_loops);
     triangulate(evaluator);
     report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();

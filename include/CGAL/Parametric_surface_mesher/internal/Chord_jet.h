@@ -1,0 +1,77 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHORD_JET_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHORD_JET_H
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Surface_jet_3.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// First derivatives tell nothing about the distances between the points of a mesh where they change by as much as they are
+// within one edge: where the parametrisation is singular, or nearly. There the slopes of chords as long as an edge replace them.
+template <class Surface>
+class Chord_jet
+{
+  typedef typename Surface::Geom_traits Kernel;
+  typedef typename Kernel::Point_2 Point_2;
+  typedef typename Kernel::Point_3 Point_3;
+  typedef typename Kernel::Vector_2 Vector_2;
+  typedef typename Kernel::Vector_3 Vector_3;
+
+  static const int max_number_of_steps = 40;
+
+  const Surface& m_surface;
+  Bbox_2 m_box;
+
+public:
+  // no point outside `box` is evaluated
+  Chord_jet(const Surface& surface, const Bbox_2& box) : m_surface(surface), m_box(box) {}
+
+  // Whether first derivatives change by as much as they are within a length in space.
+  static bool is_needed(const Surface_jet_3<Kernel>& jet, double length)
+  {
+    const double e = jet.du.squared_length(), g = jet.dv.squared_length(), squared_length = length * length;
+    return jet.duu.squared_length() * squared_length > e * e || jet.dvv.squared_length() * squared_length > g * g
+           || jet.duv.squared_length() * squared_length > e * g;
+  }
+
+  // `jet`, that of the surface at `uv`, with the slopes of chords of about the given length as first derivatives
+  Surface_jet_3<Kernel> operator()(const Point_2& uv, const Surface_jet_3<Kernel>& jet, double length) const
+  {
+    Surface_jet_3<Kernel> result = jet;
+    result.du = slope(uv, Vector_2(1, 0), 0.5 * m_box.x_span(), length);
+    result.dv = slope(uv, Vector_2(0, 1), 0.5 * m_box.y_span(), length);
+    return result;
+  }
+
+private:
+  // From the longest chord in the box to shorter ones, to the first that is short enough.
+  Vector_3 slope(const Point_2& uv, const Vector_2& direction, double longest_step, double length) const
+  {
+    double step = longest_step;
+    for(int i = 0;; ++i, step *= 0.6) {
+      const Point_2 p = in_box(uv - step * direction), q = in_box(uv + step * direction);
+      const Vector_3 chord = m_surface.point(q.x(), q.y()) - m_surface.point(p.x(), p.y());
+      if(i == max_number_of_steps || !(chord.squared_length() > 2.25 * length * length))
+        return chord / ((q - p) * direction);
+    }
+  }
+
+  Point_2 in_box(const Point_2& p) const
+  {
+    return Point_2((std::min)((std::max)(p.x(), m_box.xmin()), m_box.xmax()),
+                   (std::min)((std::max)(p.y(), m_box.ymin()), m_box.ymax()));
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHORD_JET_H
