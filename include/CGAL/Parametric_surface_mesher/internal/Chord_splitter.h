@@ -8,7 +8,8 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
 
-#include <algorithm>
+#include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -17,8 +18,8 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // A chord is an inner edge of a patch between two boundary vertices. Where patches are as narrow as their edges are long, two
-// of them (or one, across its seam) can have chords between the same two vertices, and the mesh would not be manifold. The first chord
-// stays; others are split in the middle.
+// of them (or one, across its seam) can have chords between the same two vertices, and the mesh would not be manifold. So it is
+// with an inner vertex that is joined to two copies of a vertex on a seam. The first such edge stays; others are split in the middle.
 template <class Evaluator>
 class Chord_splitter
 {
@@ -29,36 +30,65 @@ class Chord_splitter
   typedef std::pair<Vertex_handle, Vertex_handle> Chord;
   typedef typename Indexed_mesh<Kernel>::Chords Chords;
 
+  static const int max_number_of_passes = 10;
+
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
-  Chords& m_chords;
+  Chords& m_chords_of_shell;
+  Chords m_chords; // of the patch
   Vertex_insertion<Triangulation> m_insertion;
+  std::map<std::pair<const void*, std::size_t>, Vertex_handle> m_spokes; // looked up, never run through: addresses decide nothing
 
 public:
   Chord_splitter(Triangulation& triangulation, const Evaluator& evaluate, Chords& chords)
-    : m_triangulation(triangulation), m_evaluate(evaluate), m_chords(chords), m_insertion(triangulation)
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_chords_of_shell(chords), m_insertion(triangulation)
   {}
 
+  // A split flips edges around, which could repeat others.
   void operator()()
   {
     std::vector<Chord> repeated;
+    for(int pass = 0; pass < max_number_of_passes; ++pass) {
+      repeated = find_repeated();
+      if(repeated.empty())
+        break;
+      for(const Chord& chord : repeated)
+        split(chord);
+    }
+    m_chords_of_shell.insert(m_chords.begin(), m_chords.end());
+  }
+
+private:
+  std::vector<Chord> find_repeated()
+  {
+    m_chords.clear();
+    m_spokes.clear();
+    std::vector<Chord> result;
     for(Face_handle face : m_triangulation.finite_face_handles())
       if(face->is_in_domain())
         for(int i = 0; i < 3; ++i)
           if(!face->is_constrained(i))
-            collect(face->vertex((i + 1) % 3), face->vertex((i + 2) % 3), repeated);
-    for(const Chord& chord : repeated)
-      split(chord);
+            collect(face->vertex((i + 1) % 3), face->vertex((i + 2) % 3), result);
+    return result;
   }
 
-private:
-  // An edge is seen from both sides: that from the smaller to the larger index counts.
   void collect(Vertex_handle v, Vertex_handle w, std::vector<Chord>& repeated)
   {
-    if(!v->is_on_boundary() || !w->is_on_boundary() || v->index() > w->index())
+    if(!w->is_on_boundary())
       return;
-    if(v->index() == w->index() || !m_chords.emplace(v->index(), w->index()).second)
-      repeated.emplace_back(v, w);
+    if(!v->is_on_boundary())
+      collect_spoke(v, w, repeated);
+    else if(v->index() <= w->index()) // it is seen from both sides: that from the smaller to the larger index counts
+      if(v->index() == w->index() || m_chords_of_shell.count({v->index(), w->index()}) > 0
+         || !m_chords.emplace(v->index(), w->index()).second)
+        repeated.emplace_back(v, w);
+  }
+
+  void collect_spoke(Vertex_handle inner, Vertex_handle w, std::vector<Chord>& repeated)
+  {
+    const Vertex_handle first = m_spokes.emplace(std::make_pair(&*inner, w->index()), w).first->second;
+    if(first != w)
+      repeated.emplace_back(inner, w);
   }
 
   void split(const Chord& chord)
