@@ -74,8 +74,8 @@ public:
     return *this;
   }
 
-  /// the length below which an edge is not divided for the sake of deviation or size. Default: 1/100 of `max_edge()`,
-  /// or of the default of that if it is smaller.
+  /// the shortest length that edges are divided into: an edge is not divided for the sake of deviation, on the boundary or inside, if it is
+  /// shorter than twice this; and no two inner points are closer to each other. Default: 1/200 of `max_edge()`, or of the default of that if it is smaller.
   /// \pre `length > 0`
   Parametric_surface_mesh_criteria& set_min_edge(double length)
   {
@@ -186,7 +186,7 @@ public:
     static constexpr double allowance_of_good_shape = 1.2;
 
     const Oracle& m_oracle;
-    double m_gamma, m_squared_sine, m_squared_size_factor, m_squared_gamma, m_squared_distance, m_squared_min_edge;
+    double m_gamma, m_squared_sine, m_squared_size_factor, m_squared_gamma, m_squared_distance, m_squared_divisible_edge;
 
   public:
     Is_bad(const Parametric_surface_mesh_criteria& criteria, const Oracle& oracle)
@@ -197,7 +197,7 @@ public:
       m_squared_size_factor = criteria.size_factor() * criteria.size_factor();
       m_squared_gamma = criteria.gamma() * criteria.gamma();
       m_squared_distance = criteria.distance() * criteria.distance();
-      m_squared_min_edge = criteria.min_edge() * criteria.min_edge();
+      m_squared_divisible_edge = 4 * criteria.min_edge() * criteria.min_edge();
     }
 
     /// the patch.
@@ -231,12 +231,12 @@ public:
       if(quality.badness > 1)
         return Mesh_2::BAD;
       quality.criterion = Mesh_criterion::DEVIATION;
-      quality.badness = squared_deviation(f, m_oracle, m_gamma, m_squared_min_edge) / m_squared_gamma;
+      quality.badness = squared_deviation(f, m_oracle, m_gamma, m_squared_divisible_edge) / m_squared_gamma;
       if(!(quality.badness > 1) && m_oracle.is_inverted(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()))
         quality.badness = 2;
       if(!(quality.badness > 1) && m_squared_distance > 0) {
         quality.criterion = Mesh_criterion::DISTANCE;
-        quality.badness = squared_distance_to_surface(f, m_oracle, m_gamma, m_squared_min_edge) / m_squared_distance;
+        quality.badness = squared_distance_to_surface(f, m_oracle, m_gamma, m_squared_divisible_edge) / m_squared_distance;
       }
       return (*this)(quality);
     }

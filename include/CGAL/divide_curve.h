@@ -123,11 +123,7 @@ public:
     halve_where([this](std::size_t i) {
       return deviates(m_positions[i], m_positions[i + 1]) || is_oversized(m_positions[i], m_positions[i + 1]);
     });
-    halve_where([this](std::size_t i) {
-      const double shortest_neighbor = (std::min)(i == 0 ? length(i) : length(i - 1),
-                                                  i + 2 == m_positions.size() ? length(i) : length(i + 1));
-      return length(i) > 2.01 * shortest_neighbor;
-    });
+    halve_where([this](std::size_t i) { return length(i) > 2.01 * shortest_neighbor(i); });
   }
 
   std::vector<double> parameters() const
@@ -140,6 +136,15 @@ public:
 
 private:
   double length(std::size_t i) const { return m_positions[i + 1].length - m_positions[i].length; }
+
+  // of two on either side: so that pieces do not double twice in a row
+  double shortest_neighbor(std::size_t i) const
+  {
+    double result = length(i);
+    for(std::size_t k = i < 2 ? 0 : i - 2; k <= i + 2 && k + 1 < m_positions.size(); ++k)
+      result = (std::min)(result, length(k));
+    return result;
+  }
 
   template <class Predicate>
   void halve_where(Predicate is_too_long)

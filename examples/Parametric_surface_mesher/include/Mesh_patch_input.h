@@ -175,7 +175,7 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_patch_opt
   if(options.min_edge > max_edge)
     throw Usage_error("--min-edge must not be larger than --max-edge, which is " + std::to_string(max_edge) + " by default");
   criteria.set_max_edge(max_edge);
-  criteria.set_min_edge(options.min_edge > 0 ? options.min_edge : max_edge / 100);
+  criteria.set_min_edge(options.min_edge > 0 ? options.min_edge : max_edge / 200);
   criteria.set_gamma(options.gamma).set_angle(options.angle).set_size_factor(options.size_factor);
   if(options.distance > 0)
     criteria.set_distance(options.distance);

@@ -74,7 +74,7 @@ const char* const conclusion =
   "  min_angle, mean_min_angle     of the triangles, in degrees in space\n"
   "  mean_radius_ratio             mean of 2r/R, which is 1 for equilateral triangles\n"
   "  max_deviation                 largest H/L of the inner edges of all patches that are\n"
-  "                                not shorter than --min-edge, measured after meshing\n"
+  "                                not shorter than 2 times --min-edge, measured after meshing\n"
   "  max_normal_deviation          the same with the part of H along the surface normal; around\n"
   "                                poles only this one is held to --gamma\n"
   "  boundary_limited              triangles that fail a criterion at the boundary\n"
@@ -109,7 +109,7 @@ inline po::options_description described_options(Mesh_patch_options& o)
     ("max-edge", number(o.max_edge),
      "wanted edge length where nothing asks for less (1/20 of the diagonal of the boundary's box)")
     ("min-edge", number(o.min_edge),
-     "edges shorter than this are not divided for deviation or size (1/100 of --max-edge)")
+     "no edge is divided into pieces shorter than this (1/200 of --max-edge)")
     ("gamma", number(o.gamma),
      with_default("largest deviation ratio H/L of an edge: arc height over length", o.gamma).c_str())
     ("angle", number(o.angle),

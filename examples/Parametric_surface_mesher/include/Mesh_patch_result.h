@@ -117,7 +117,7 @@ inline void measure(const Mesh_patch_input& input, const Halfedge_uv_map& uv, co
     result.patches.emplace_back();
     append_triangles(result.mesh, uv, faces[i], input.patches[i].is_reversed, result.patches[i]);
     add(CGAL::triangle_mesh_deviation(result.patches[i].mesh, input.patches[i].surface, result.patches[i].uv, subdivisions,
-                                      result.criteria.min_edge()),
+                                      2 * result.criteria.min_edge()), // shorter edges are not divided
         result.deviation);
   }
 }

@@ -197,10 +197,9 @@ inline std::vector<std::string> all_sample_names()
 // The model with this name; throws std::invalid_argument if there is none.
 inline Sample_model make_sample_model(const std::string& name)
 {
-  const double tolerance = 1e-9; // the default comes from the corners, and those of a torus are a single point
   for(const auto& entry : sample_surfaces::model_entries())
     if(entry.name == name) {
-      const auto model = CGAL::make_model_of_rectangular_patches(entry.make_patches(), tolerance);
+      const auto model = CGAL::make_model_of_rectangular_patches(entry.make_patches());
       return {name, sample_surface_model(model), entry.area};
     }
   throw std::invalid_argument("no sample model is called '" + name + "'");

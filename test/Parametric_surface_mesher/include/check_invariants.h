@@ -96,7 +96,7 @@ public:
   // `rings`: how many rings of vertices away from the border faces may be left for want of a better point
   Report_check(const Mesh& mesh, const Surface& surface, const Criteria& criteria, const Report& report, int rings = 1)
     : m_mesh(mesh), m_surface(surface), m_criteria(criteria), m_report(report), m_rings(rings),
-      m_smallest_spacing(criteria.min_edge())
+      m_smallest_spacing(1.4 * criteria.min_edge())
   {
     for(const auto v : mesh.vertices())
       if(mesh.is_border(v))
@@ -142,11 +142,11 @@ private:
 
   double angle(Mesh::Face_index f) const { return shape(m_mesh, f).min_angle; }
 
-  double deviation(Mesh::Face_index f) const { return ::deviation(m_mesh, f, m_surface, m_criteria.min_edge()); }
+  double deviation(Mesh::Face_index f) const { return ::deviation(m_mesh, f, m_surface, 2 * m_criteria.min_edge()); }
 
   double distance_ratio(Mesh::Face_index f) const
   {
-    return m_criteria.distance() > 0 && shape(m_mesh, f).longest > m_criteria.min_edge()
+    return m_criteria.distance() > 0 && shape(m_mesh, f).longest > 2 * m_criteria.min_edge()
              ? distance_to_surface(m_mesh, f, m_surface) / m_criteria.distance()
              : 0;
   }
@@ -181,7 +181,7 @@ private:
       EXPECT_TRUE(is_near_border(f)) << f << " is left in the midst of the mesh";
     else {
       EXPECT_EQ(CGAL::Unmet_cause::MINIMUM_EDGE, cause) << f;
-      EXPECT_LT(shape(m_mesh, f).shortest, 1.25 * m_criteria.min_edge()) << f << " has room for a point";
+      EXPECT_LT(shape(m_mesh, f).shortest, 2.5 * m_criteria.min_edge()) << f << " has room for a point";
     }
   }
 

@@ -41,9 +41,9 @@ Face_measures face_measures(Face_handle f, const MetricField& metric)
   return face_measures({metric.squared_length(q, r), metric.squared_length(r, p), metric.squared_length(p, q)});
 }
 
-// The largest (H/L)^2 over the edges that are neither constrained nor shorter than the minimum edge.
+// The largest (H/L)^2 over the edges that are not constrained, and long enough to be divided.
 template <class Face_handle, class Oracle>
-double squared_deviation(Face_handle f, const Oracle& oracle, double gamma, double squared_min_edge)
+double squared_deviation(Face_handle f, const Oracle& oracle, double gamma, double squared_divisible_edge)
 {
   double worst = 0;
   for(int i = 0; i < 3; ++i) {
@@ -51,16 +51,16 @@ double squared_deviation(Face_handle f, const Oracle& oracle, double gamma, doub
       continue;
     const auto &p = f->vertex((i + 1) % 3)->point(), &q = f->vertex((i + 2) % 3)->point();
     const double squared_length = squared_distance(p.surface_point(), q.surface_point());
-    if(squared_length > squared_min_edge)
+    if(squared_length > squared_divisible_edge)
       worst = (std::max)(worst, oracle.squared_height(p, q, gamma) / squared_length);
   }
   return worst;
 }
 
 // The largest squared distance from the surface, at the middles of the edges that are not constrained and
-// at the centroid. A triangle with all edges below the minimum edge is left alone.
+// at the centroid. A triangle whose edges are all too short to be divided is left alone.
 template <class Face_handle, class Oracle>
-double squared_distance_to_surface(Face_handle f, const Oracle& oracle, double gamma, double squared_min_edge)
+double squared_distance_to_surface(Face_handle f, const Oracle& oracle, double gamma, double squared_divisible_edge)
 {
   const auto &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
   const auto &p = a.surface_point(), &q = b.surface_point(), &r = c.surface_point();
@@ -71,7 +71,7 @@ double squared_distance_to_surface(Face_handle f, const Oracle& oracle, double g
     if(!f->is_constrained(i))
       worst = (std::max)(worst, oracle.squared_height(s, t, gamma));
   }
-  if(longest <= squared_min_edge)
+  if(longest <= squared_divisible_edge)
     return 0;
   const auto normal = cross_product(q - p, r - p);
   const double area = normal * normal;

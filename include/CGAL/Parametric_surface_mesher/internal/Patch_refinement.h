@@ -73,7 +73,7 @@ public:
   Patch_refinement(Triangulation& triangulation, const Evaluator& evaluate, const Criteria& criteria, Visitor& visitor)
     : m_triangulation(triangulation), m_evaluate(evaluate), m_criteria(criteria), m_visitor(visitor),
       m_is_bad(criteria.is_bad_object(evaluate.oracle())), m_insertion(triangulation),
-      m_star(triangulation), m_squared_min_distance(0.25 * criteria.min_edge() * criteria.min_edge())
+      m_star(triangulation), m_squared_min_distance(criteria.min_edge() * criteria.min_edge())
   {}
 
   void operator()()

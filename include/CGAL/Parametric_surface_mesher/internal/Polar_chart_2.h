@@ -47,6 +47,7 @@ private:
   bool m_is_swapped = false;                    // the sides are on lines u = const
   double m_middle = 0, m_theta_per_along = 1;   // of the coordinate along the sides
   double m_level = 0, m_across_per_r = 1;       // of the coordinate across
+  double m_lower_angle = 0, m_upper_angle = 0;  // in space, at the pole at r = 0 and that at r = 1
 
 public:
   Polar_chart_2() = default;
@@ -54,6 +55,7 @@ public:
   explicit Polar_chart_2(const Collapsed_side& side) : m_number_of_poles(1)
   {
     set_theta(side, side.angle);
+    m_lower_angle = side.angle;
     m_level = side.level;
     m_across_per_r = side.is_lower ? side.extent : -side.extent;
   }
@@ -62,6 +64,8 @@ public:
   Polar_chart_2(const Collapsed_side& lower, const Collapsed_side& upper) : m_number_of_poles(2)
   {
     set_theta(lower, (std::max)(lower.angle, upper.angle));
+    m_lower_angle = lower.angle;
+    m_upper_angle = upper.angle;
     m_level = lower.level;
     m_across_per_r = upper.level - lower.level;
   }
@@ -74,6 +78,9 @@ public:
     return m_number_of_poles == 1 ? z.x() == 0 && z.y() == 0
                                   : m_number_of_poles == 2 && (z.x() == -1 || z.x() == 1) && z.y() == 0;
   }
+
+  // the angle that the surface has in space at the pole `z`
+  double angle_at_pole(const Point_2& z) const { return z.x() > 0 ? m_upper_angle : m_lower_angle; }
 
   // from the domain to the chart
   Point_2 chart_point(const Point_2& uv) const

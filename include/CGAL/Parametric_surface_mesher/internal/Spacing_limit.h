@@ -41,7 +41,7 @@ public:
     double limit = by_curvature(uv, jet);
     if(m_criteria.sizing_field())
       limit = (std::min)(limit, wanted_size(uv));
-    return (std::max)(limit, m_criteria.min_edge());
+    return (std::max)(limit, 1.4 * m_criteria.min_edge());
   }
 
   double operator()(const Point_2& uv) const { return (*this)(uv, m_oracle.surface().jet(uv.x(), uv.y())); }

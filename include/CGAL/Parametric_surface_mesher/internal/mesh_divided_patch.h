@@ -14,6 +14,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_repair.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Pole_ring.h>
 #include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulate_boundary.h>
 
@@ -78,6 +79,8 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
     Boundary_triangulator<Kernel> triangulate(triangulation, charted_loops);
     triangulate(evaluator);
     report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
+    Pole_ring<Evaluator> insert_rings(triangulation, evaluator);
+    insert_rings(loops);
   }
   Refinement refine(triangulation, evaluator, charted_criteria, visitor);
   {

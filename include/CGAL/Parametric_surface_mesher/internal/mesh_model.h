@@ -34,7 +34,7 @@ inline void set_default_sizes(Parametric_surface_mesh_criteria& criteria, double
   if(!(criteria.max_edge() > 0))
     criteria.set_max_edge(diagonal / 20);
   if(!(criteria.min_edge() > 0))
-    criteria.set_min_edge((std::min)(criteria.max_edge(), diagonal / 20) / 100);
+    criteria.set_min_edge((std::min)(criteria.max_edge(), diagonal / 20) / 200);
   if(criteria.min_edge() > criteria.max_edge())
     throw Parametric_surface_mesh_error("the minimum edge length " + describe(criteria.min_edge())
                                         + " is larger than the maximum edge length " + describe(criteria.max_edge()));

@@ -1,0 +1,110 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POLE_RING_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POLE_RING_H
+
+#include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The first inner points of a patch with poles: around each pole, between its neighbours on the boundary, so that triangles of equal
+// angles of about 60 degrees meet there. Around the apex of a pointed cone only a few have room, and refinement rarely finds them.
+template <class Evaluator>
+class Pole_ring
+{
+  typedef typename Evaluator::Kernel Kernel;
+  typedef typename Kernel::Point_2 Point_2;
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef internal::Location<Triangulation> Location;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef Boundary_vertex<Kernel> Boundary_point;
+
+  Triangulation& m_triangulation;
+  const Evaluator& m_evaluate;
+  Vertex_insertion<Triangulation> m_insertion;
+
+public:
+  Pole_ring(Triangulation& triangulation, const Evaluator& evaluate)
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_insertion(triangulation)
+  {}
+
+  // `loops`: the divided boundary in the domain, where a pole is a segment between points of the same index
+  void operator()(const Boundary_loops<Kernel>& loops)
+  {
+    if(chart().is_identity())
+      return;
+    for(const auto& loop : loops)
+      for(std::size_t i = 0; i < loop.size(); ++i) {
+        const std::size_t n = loop.size();
+        if(loop[i].index == loop[(i + 1) % n].index)
+          insert_ring(loop[i], loop[(i + n - 1) % n], loop[(i + 2) % n]);
+      }
+  }
+
+private:
+  const auto& chart() const { return m_evaluate.oracle().surface().chart(); }
+
+  void insert_ring(const Boundary_point& pole, const Boundary_point& before, const Boundary_point& after)
+  {
+    const double radius_before = std::sqrt(squared_distance(pole.surface_point, before.surface_point)),
+                 radius_after = std::sqrt(squared_distance(pole.surface_point, after.surface_point));
+    const double radius = 0.5 * (radius_before + radius_after);
+    const Vertex_handle vertex = pole_vertex(pole.index);
+    if(vertex == Vertex_handle() || (std::max)(radius_before, radius_after) > 1.2 * radius)
+      return;
+    const double sixty_degrees = 4. / 3 * std::atan(1.);
+    const bool is_all_around = before.index == after.index;
+    const int number_of_sectors = (std::max)(int(std::lround(chart().angle_at_pole(vertex->point().domain_point()) / sixty_degrees)),
+                                             is_all_around ? 3 : 1);
+    for(int k = 1; k < number_of_sectors; ++k)
+      insert(chart().chart_point(before.domain_point
+                                 + double(k) / number_of_sectors * (after.domain_point - before.domain_point)),
+             vertex, radius);
+  }
+
+  Vertex_handle pole_vertex(std::size_t index) const
+  {
+    for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
+      if(vertex->index() == index && vertex->is_on_boundary() && chart().is_pole(vertex->point().domain_point()))
+        return vertex;
+    return Vertex_handle();
+  }
+
+  // where it is in the domain, and not closer to others than the ring's points are to each other
+  void insert(const Point_2& position, Vertex_handle pole, double radius)
+  {
+    auto face = pole->face();
+    while(!face->is_in_domain())
+      face = face->neighbor(m_triangulation.ccw(face->index(pole)));
+    const Location location = walk_in_domain(m_triangulation, face, position);
+    if(location.kind != Location::IN_FACE
+       && (location.kind != Location::ON_EDGE || location.face->is_constrained(location.index)))
+      return;
+    const auto evaluated = m_evaluate(position);
+    for(int i = 0; i < 3; ++i)
+      if(squared_distance(evaluated.point.surface_point(), location.face->vertex(i)->point().surface_point())
+         < 0.25 * radius * radius)
+        return;
+    const Vertex_handle vertex = location.kind == Location::IN_FACE
+                                   ? m_insertion.insert_in_face(evaluated.point, location.face)
+                                   : m_insertion.insert_in_edge(evaluated.point, location.face, location.index);
+    vertex->set_spacing((std::min)(radius, evaluated.spacing_limit));
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POLE_RING_H
