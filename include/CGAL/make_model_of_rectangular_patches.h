@@ -4,6 +4,8 @@
 #define CGAL_MAKE_MODEL_OF_RECTANGULAR_PATCHES_H
 
 #include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/Equal_arc_curve.h>
+#include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
 #include <CGAL/Parametric_surface_mesher/internal/group_points.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/orient_faces.h>
@@ -17,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +49,7 @@ class Patch_matcher
   typedef typename Kernel::Point_2 Point_2;
   typedef typename Kernel::Point_3 Point_3;
   typedef typename Model::Edge_use Edge_use;
+  typedef typename Model::Curve Curve;
 
   static const int number_of_samples = 9;
   typedef std::array<Point_3, number_of_samples> Samples;
@@ -58,6 +62,7 @@ class Patch_matcher
     std::size_t place = 0; // number of the place in space of its source
     std::size_t edge = 0;
     bool is_reversed = false, is_collapsed = false;
+    std::shared_ptr<const Curve> curve; // with the parameters of the edge, if its own are others
   };
 
   const std::vector<Surface>& m_surfaces;
@@ -80,7 +85,8 @@ public:
     add_vertices_and_edges();
     for(std::size_t i = 0; i < m_surfaces.size(); ++i)
       m_model.add_face({m_surfaces[i], {{use(4 * i), use(4 * i + 1), use(4 * i + 2), use(4 * i + 3)}}});
-    m_model.set_tolerance(2 * std::sqrt(m_squared_tolerance)); // a side, and a corner at its end, may be off
+    m_model.set_tolerance((std::max)(2 * std::sqrt(m_squared_tolerance), // a side, and a corner at its end, may be off
+                                     1e-6 * model_diagonal(m_model)));
     orient_faces(m_model);
     return std::move(m_model);
   }
@@ -139,7 +145,8 @@ private:
     for(std::size_t i = 0; i < m_sides.size(); ++i) {
       m_sides[i].is_collapsed = is_collapsed(m_sides[i]);
       const std::pair<std::size_t, std::size_t> places = std::minmax(m_sides[i].place, m_sides[next_side(i)].place);
-      if(m_sides[i].is_collapsed || !match(m_sides[i], edges_between[places])) {
+      if(m_sides[i].is_collapsed
+         || (!match(i, edges_between[places]) && !match_by_arc_length(i, edges_between[places]))) {
         m_sides[i].edge = m_first_sides.size();
         edges_between[places].push_back(m_sides[i].edge);
         m_first_sides.push_back(i);
@@ -147,8 +154,9 @@ private:
     }
   }
 
-  bool match(Side& side, const std::vector<std::size_t>& edges) const
+  bool match(std::size_t i, const std::vector<std::size_t>& edges)
   {
+    Side& side = m_sides[i];
     for(std::size_t edge : edges)
       for(bool is_reversed : {true, false})
         if(are_equal(side, m_sides[m_first_sides[edge]], is_reversed)) {
@@ -156,6 +164,28 @@ private:
           side.is_reversed = is_reversed;
           return true;
         }
+    return false;
+  }
+
+  // The same curve may have another parametrisation.
+  bool match_by_arc_length(std::size_t i, const std::vector<std::size_t>& edges)
+  {
+    Side& side = m_sides[i];
+    for(std::size_t edge : edges) {
+      const std::size_t first = m_first_sides[edge];
+      for(bool is_reversed : {true, false}) {
+        const Equal_arc_curve<Surface> curve(m_surfaces[first / 4], Curve::segment(m_sides[first].from, m_sides[first].to),
+                                             m_surfaces[i / 4],
+                                             is_reversed ? Curve::segment(side.to, side.from) : Curve::segment(side.from, side.to));
+        const double rounding = 1e-8 * curve.length();
+        if(curve.is_within(std::sqrt(m_squared_tolerance) + rounding, number_of_samples - 1)) {
+          side.edge = edge;
+          side.is_reversed = is_reversed;
+          side.curve = std::make_shared<Curve>(curve.reparametrized());
+          return true;
+        }
+      }
+    }
     return false;
   }
 
@@ -184,10 +214,9 @@ private:
 
   Edge_use use(std::size_t i) const
   {
-    typedef Domain_curve_2<Kernel> Curve;
     const Side& side = m_sides[i];
     return {side.edge, side.is_reversed,
-            side.is_reversed ? Curve::segment(side.to, side.from) : Curve::segment(side.from, side.to)};
+            side.curve ? *side.curve : side.is_reversed ? Curve::segment(side.to, side.from) : Curve::segment(side.from, side.to)};
   }
 };
 
@@ -203,8 +232,8 @@ by `orient_faces()`, so that neighbours face to the same side, and closed pieces
 
 Where three or more patches meet in one curve the mesh is cut: see `Parametric_surface_model_3::Face::shell`.
 
-Curves match if they are equal at equal parameters (in the same or the opposite direction), compared at nine points; patches that
-meet along a part of a side, or with different parametrisations, are not joined.
+Curves match if they are equal at equal parameters, or at equal shares of their lengths, in the same or the opposite direction; they are
+compared at nine points. Patches that meet along a part of a side are not joined.
 
 \param surfaces the patches
 \param tolerance how far apart points may be that are to be one. 0 stands for 1e-9 of the diagonal of the bounding box (of nine points of each patch).

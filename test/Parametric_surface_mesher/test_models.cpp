@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Models of several patches: what is joined, what is refused, and that the meshes have no crack.
+#include <CGAL/B_spline_surface_3.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/IO/read_bezier_patches.h>
 #include <CGAL/Parametric_primitive_surfaces_3.h>
@@ -256,6 +257,29 @@ TEST(Models, closed_box)
     EXPECT_TRUE(m.quality.is_closed);
     EXPECT_EQ(0u, m.report.unmet.size());
     EXPECT_NEAR(1, signed_volume(m.mesh), 1e-12); // whatever the direction of the first patch
+  }
+}
+
+// The same arc with two parametrisations, by weights; the second surface goes on outward.
+TEST(Models, patches_that_run_through_their_common_curve_at_different_speeds)
+{
+  typedef CGAL::B_spline_surface_3<Test_kernel> Spline;
+  const double w = std::sqrt(0.5);
+  const std::vector<double> quadratic = {0, 0, 0, 1, 1, 1}, linear = {0, 0, 1, 1};
+  const Point_3 a(1, 0, 0), b(1, 1, 0), c(0, 1, 0);
+  const Vector_3 up(0, 0, 1);
+  const Spline wall(2, 1, quadratic, linear, std::vector<Point_3>{a, b, c, a + up, b + up, c + up}, {1, w, 1, 1, w, 1});
+  const Spline floor(2, 1, quadratic, linear,
+                     std::vector<Point_3>{a, b, c, Point_3(2, 0, 0), Point_3(2, 2, 0), Point_3(0, 2, 0)},
+                     {1, 2 * w, 4, 1, 2 * w, 4});
+  ASSERT_GT(distance(wall.point(0.5, 0), floor.point(0.5, 0)), 0.1);
+  for(const auto& patches : {std::vector<Spline>{wall, floor}, std::vector<Spline>{floor, wall}}) {
+    const auto model = CGAL::make_model_of_rectangular_patches(patches);
+    EXPECT_EQ(7u, model.edges().size());
+    const Meshed_model m = mesh_model(model, 0.1);
+    expect_topology(m, 1, 1, 1);
+    EXPECT_EQ(0u, m.report.unmet.size());
+    EXPECT_NEAR(2 * std::atan(1.) * (1 + 1.5), m.quality.area, 0.005);
   }
 }
 

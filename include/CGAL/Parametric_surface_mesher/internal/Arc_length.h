@@ -41,6 +41,16 @@ public:
 
   double length() const { return m_table.back().length; }
 
+  // the length up to the parameter `t`
+  double length_at(double t) const
+  {
+    const bool is_ascending = m_table.back().parameter > m_table.front().parameter;
+    const auto above = std::upper_bound(m_table.begin() + 1, m_table.end() - 1, t, [&](double t, const Curve_position& p) {
+      return is_ascending ? t < p.parameter : t > p.parameter;
+    });
+    return (above - 1)->length + length_between((above - 1)->parameter, t);
+  }
+
   // the position up to which the curve has length `s`
   Curve_position position_at(double s) const
   {

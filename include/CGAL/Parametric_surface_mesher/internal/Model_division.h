@@ -259,7 +259,7 @@ private:
   {
     Division& division = m_divisions[number];
     const std::size_t prescribed = prescribed_number(number);
-    if(prescribed > 0 && prescribed < least_number_of_pieces)
+    if(prescribed > 0 && prescribed < least_number_of_pieces && m_uses[number].size() > 1)
       throw Parametric_surface_mesh_error("edge " + std::to_string(number) + " is to be divided into "
                                           + std::to_string(prescribed) + " pieces, but it needs at least "
                                           + std::to_string(least_number_of_pieces)

@@ -5,6 +5,7 @@
 
 #include <CGAL/Mesh_2/Face_badness.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <unordered_map>
+#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -25,11 +28,12 @@ class Patch_collector
 {
   typedef Patch_triangulation_2<Kernel> Triangulation;
   typedef typename Triangulation::Face_handle Face_handle;
-
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Kernel::Point_2 Point_2;
 
   Triangulation& m_triangulation;
   const Polar_chart_2<Kernel>& m_chart;
+  std::unordered_map<Vertex_handle, Point_2> m_boundary_points; // in the domain, of a patch with a chart
   Indexed_mesh<Kernel>& m_mesh;
   Parametric_surface_mesh_report& m_report;
   double m_squared_sine = 1, m_squared_sine_off_boundary = 1; // of the smallest angles
@@ -39,6 +43,15 @@ public:
                   Parametric_surface_mesh_report& report)
     : m_triangulation(triangulation), m_chart(chart), m_mesh(mesh), m_report(report)
   {}
+
+  // To be called for a patch with a chart: on the way through the chart the domain points of boundary vertices would be rounded.
+  void set_domain_points(const std::vector<Vertex_handle>& vertices, const Boundary_loops<Kernel>& loops)
+  {
+    auto vertex = vertices.begin();
+    for(const auto& loop : loops)
+      for(const Boundary_vertex<Kernel>& point : loop)
+        m_boundary_points.emplace(*vertex++, point.domain_point);
+  }
 
   // `refinement` tells which faces are bad and why they were left
   template <class Refinement>
@@ -79,15 +92,19 @@ private:
       m_mesh.corner_points.push_back({corner_point(face, 0), corner_point(face, 1), corner_point(face, 2)});
   }
 
+  Point_2 domain_point(Vertex_handle vertex) const
+  {
+    const auto found = m_boundary_points.find(vertex);
+    return found != m_boundary_points.end() ? found->second : m_chart.domain_point(vertex->point().domain_point());
+  }
+
   // A pole is a side of the domain; of that side a triangle gets the point in the middle of its other corners.
   Point_2 corner_point(Face_handle face, int i) const
   {
-    const Point_2& z = face->vertex(i)->point().domain_point();
-    const Point_2 uv = m_chart.domain_point(z);
-    if(!m_chart.is_pole(z))
+    const Point_2 uv = domain_point(face->vertex(i));
+    if(!m_chart.is_pole(face->vertex(i)->point().domain_point()))
       return uv;
-    return m_chart.on_collapsed_side(uv, midpoint(m_chart.domain_point(face->vertex((i + 1) % 3)->point().domain_point()),
-                                                  m_chart.domain_point(face->vertex((i + 2) % 3)->point().domain_point())));
+    return m_chart.on_collapsed_side(uv, midpoint(domain_point(face->vertex((i + 1) % 3)), domain_point(face->vertex((i + 2) % 3))));
   }
 
   template <class Refinement>

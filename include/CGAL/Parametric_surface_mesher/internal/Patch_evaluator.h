@@ -26,6 +26,7 @@ struct Evaluated_point
   Parametric_point_2<Kernel> point;
   double spacing_limit;
   bool is_tensor_replaced;
+  bool is_degenerate; // no positive definite tensor was found, not even by chords
 };
 
 // Evaluates surface, metric and sizes at a domain point: once for each point of the mesh.
@@ -76,7 +77,7 @@ private:
     }
     const bool is_regular = is_well_conditioned(tensor);
     return {Parametric_point_2<Kernel>(uv, surface_point, is_regular ? tensor : regularized(tensor)), limit,
-            is_by_chords || !is_regular};
+            is_by_chords || !is_regular, !is_regular};
   }
 
   // curvature limits the spacing by what the lines of the domain do, not those of a chart

@@ -106,19 +106,30 @@ Polar_chart_2<typename Surface::Geom_traits> find_chart(const Surface& surface,
   return Chart_finder<Surface>(surface, loops)();
 }
 
+// The divided boundary with one copy of the point that each collapsed side is.
+template <class Kernel>
+Boundary_loops<Kernel> without_collapsed_sides(const Boundary_loops<Kernel>& loops)
+{
+  Boundary_loops<Kernel> result;
+  for(const auto& loop : loops) {
+    result.emplace_back();
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      if(loop[i].index != loop[(i + 1) % loop.size()].index)
+        result.back().push_back(loop[i]);
+  }
+  return result;
+}
+
 // The divided boundary in the coordinates of a chart, where a collapsed side is one point.
 template <class Kernel>
 Boundary_loops<Kernel> chart_loops(const Boundary_loops<Kernel>& loops, const Polar_chart_2<Kernel>& chart)
 {
   if(chart.is_identity())
     return loops;
-  Boundary_loops<Kernel> result;
-  for(const auto& loop : loops) {
-    result.emplace_back();
-    for(std::size_t i = 0; i < loop.size(); ++i)
-      if(loop[i].index != loop[(i + 1) % loop.size()].index)
-        result.back().push_back({chart.chart_point(loop[i].domain_point), loop[i].surface_point, loop[i].index});
-  }
+  Boundary_loops<Kernel> result = without_collapsed_sides(loops);
+  for(auto& loop : result)
+    for(Boundary_vertex<Kernel>& vertex : loop)
+      vertex.domain_point = chart.chart_point(vertex.domain_point);
   return result;
 }
 

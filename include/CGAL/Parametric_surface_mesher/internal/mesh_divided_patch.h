@@ -73,12 +73,15 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
   const Boundary_loops<Kernel> charted_loops = chart_loops(loops, surface.chart());
   const Evaluator evaluator(charted_oracle, charted_criteria, box_of_loops(charted_loops));
   Patch_triangulation_2<Kernel> triangulation;
+  Patch_collector<Kernel> collect(triangulation, surface.chart(), mesh, report);
   {
     Phase_timer timer(report.seconds.triangulation);
     visitor.on_phase("triangulation");
     Boundary_triangulator<Kernel> triangulate(triangulation, charted_loops);
     triangulate(evaluator);
     report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
+    if(!surface.chart().is_identity())
+      collect.set_domain_points(triangulate.vertices(), without_collapsed_sides(loops));
     Pole_ring<Evaluator> insert_rings(triangulation, evaluator);
     insert_rings(loops);
   }
@@ -101,7 +104,6 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
     split_chords();
   }
   Phase_timer timer(report.seconds.output);
-  Patch_collector<Kernel> collect(triangulation, surface.chart(), mesh, report);
   collect(refine);
 }
 

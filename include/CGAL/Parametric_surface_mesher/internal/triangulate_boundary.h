@@ -67,6 +67,9 @@ public:
     make_locally_delaunay();
   }
 
+  // the vertices of the points of the loops, loop by loop
+  const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
+
   // how many boundary vertices have a tensor that was not positive definite
   std::size_t number_of_replaced_tensors() const { return m_number_of_replaced_tensors; }
 
@@ -83,7 +86,7 @@ private:
       }
     }
     m_starts.push_back(result.size());
-    if(m_number_of_replaced_tensors == result.size())
+    if(std::all_of(result.begin(), result.end(), [](const Evaluated& e) { return e.is_degenerate; }))
       throw Parametric_surface_mesh_error("the surface is degenerate: its first derivatives are parallel or zero "
                                           "everywhere on the boundary, at (u,v) = "
                                           + describe(m_loops[0][0].domain_point) + " for one");
