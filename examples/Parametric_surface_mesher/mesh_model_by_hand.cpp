@@ -1,0 +1,89 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A tin, built from vertices, edges and faces: a side that closes on itself along a seam, and two round lids. Its mesh is closed.
+#include <CGAL/Parametric_function_surface_3.h>
+#include <CGAL/Parametric_surface_model_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/make_parametric_surface_mesh.h>
+#include <CGAL/orient_faces.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <utility>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+const double turn = 8 * std::atan(1.), height = 1.5;
+
+// The faces of a model have surfaces of one type: here the side, and a lid at some height, as one class.
+class Surface_of_tin
+{
+public:
+  typedef Kernel Geom_traits;
+
+private:
+  double m_lid_height; // negative for the side
+
+public:
+  explicit Surface_of_tin(double lid_height = -1) : m_lid_height(lid_height) {}
+
+  Kernel::Point_3 point(double u, double v) const { return jet(u, v).point; }
+
+  CGAL::Surface_jet_3<Kernel> jet(double u, double v) const
+  {
+    const double h = m_lid_height;
+    if(h >= 0)
+      return CGAL::make_parametric_function_surface([h](auto u, auto v) {
+        return CGAL::parametric_surface_point(u, v, h);
+      }).jet(u, v);
+    return CGAL::make_parametric_function_surface([](auto u, auto v) {
+      using std::cos;
+      using std::sin;
+      return CGAL::parametric_surface_point(cos(u), sin(u), v);
+    }).jet(u, v);
+  }
+};
+
+int main()
+{
+  typedef CGAL::Parametric_surface_model_3<Surface_of_tin> Model;
+  typedef Model::Curve Curve;
+  typedef Kernel::Point_2 Point_2;
+
+  Model model;
+  const std::size_t below = model.add_vertex({1, 0, 0}), above = model.add_vertex({1, 0, height});
+  const std::size_t bottom = model.add_edge(below, below), top = model.add_edge(above, above),
+                    seam = model.add_edge(below, above);
+
+  // The side: once around, up the seam, back around, down the seam. All uses of an edge have the same parameters along it.
+  const Point_2 a(0, 0), b(turn, 0), c(turn, height), d(0, height);
+  model.add_face({Surface_of_tin(),
+                  {{{bottom, false, Curve::segment(a, b)},
+                    {seam, false, Curve::segment(b, c)},
+                    {top, true, Curve::segment(d, c)},
+                    {seam, true, Curve::segment(a, d)}}}});
+  // The lids: a circle each, from angle 0 to a full turn as the parameter of the segments above goes from 0 to 1.
+  const auto circle = Curve::from_function([](auto t) {
+    using std::cos;
+    using std::sin;
+    return std::make_pair(cos(turn * t), sin(turn * t));
+  }, 0, 1);
+  model.add_face({Surface_of_tin(0), {{{bottom, false, circle}}}});
+  model.add_face({Surface_of_tin(height), {{{top, false, circle}}}});
+  CGAL::orient_faces(model); // the lower lid is turned over: a closed model faces outward
+
+  Mesh mesh;
+  const auto patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
+  const auto report = CGAL::make_parametric_surface_mesh(
+    model, CGAL::Parametric_surface_mesh_criteria().set_max_edge(0.1), mesh, CGAL::parameters::face_patch_id_map(patch));
+
+  std::size_t on_lids = 0;
+  for(const auto face : mesh.faces())
+    on_lids += patch[face] > 0;
+  std::cout << report.number_of_faces << " triangles, " << on_lids << " of them on the lids; smallest angle "
+            << report.smallest_angle << " degrees; " << (CGAL::is_closed(mesh) ? "closed" : "open") << "\n";
+  return CGAL::is_closed(mesh) && report.unmet.empty() ? 0 : 1;
+}
