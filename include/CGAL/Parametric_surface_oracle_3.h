@@ -123,7 +123,7 @@ public:
   template <class ParametricPoint>
   bool is_inverted(const ParametricPoint& p, const ParametricPoint& q, const ParametricPoint& r) const
   {
-    if(is_nearly_uniform(p, q) && is_nearly_uniform(q, r) && is_nearly_uniform(r, p))
+    if(is_nearly_uniform(p, q, 1.5) && is_nearly_uniform(q, r, 1.5) && is_nearly_uniform(r, p, 1.5))
       return false;
     const Surface_jet_3<Geom_traits> jet = m_surface.jet((p.x() + q.x() + r.x()) / 3, (p.y() + q.y() + r.y()) / 3);
     return cross_product(jet.du, jet.dv)
@@ -140,17 +140,17 @@ private:
       return false;
     if(!m_singular_points.empty() && is_near_singular_point(midpoint(a, b), std::sqrt(squared_length) / (6 * gamma)))
       return true;
-    return squared_height < 0.09 * squared_length && !is_nearly_uniform(p, q);
+    return squared_height < 0.09 * squared_length && !is_nearly_uniform(p, q, 1 + 10 * gamma);
   }
 
-  // Whether the parametrisation has nearly the same speed all along an edge.
+  // Whether the squared speed of the parametrisation changes by less than a factor along an edge.
   template <class ParametricPoint>
-  bool is_nearly_uniform(const ParametricPoint& p, const ParametricPoint& q) const
+  bool is_nearly_uniform(const ParametricPoint& p, const ParametricPoint& q, double factor) const
   {
     const double du = q.x() - p.x(), dv = q.y() - p.y();
     const double at_p = p.tensor().squared_length(du, dv), at_q = q.tensor().squared_length(du, dv),
                  between = m_metric.squared_length(p, q);
-    return (std::max)({at_p, at_q, between}) < 1.5 * (std::min)({at_p, at_q, between});
+    return (std::max)({at_p, at_q, between}) < factor * (std::min)({at_p, at_q, between});
   }
 
   template <class Point_2>

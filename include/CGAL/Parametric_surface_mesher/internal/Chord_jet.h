@@ -33,12 +33,19 @@ public:
   // no point outside `box` is evaluated
   Chord_jet(const Surface& surface, const Bbox_2& box) : m_surface(surface), m_box(box) {}
 
-  // Whether first derivatives change by as much as they are within a length in space.
+  // Whether first derivatives change, within the surface, by as much as they are over a length in space.
   static bool is_needed(const Surface_jet_3<Kernel>& jet, double length)
   {
     const double e = jet.du.squared_length(), g = jet.dv.squared_length(), squared_length = length * length;
-    return jet.duu.squared_length() * squared_length > e * e || jet.dvv.squared_length() * squared_length > g * g
-           || jet.duv.squared_length() * squared_length > e * g;
+    if(!(jet.duu.squared_length() * squared_length > e * e || jet.dvv.squared_length() * squared_length > g * g
+         || jet.duv.squared_length() * squared_length > e * g))
+      return false;
+    Vector_3 normal = cross_product(jet.du, jet.dv);
+    if(normal.squared_length() > 0)
+      normal = normal / std::sqrt(normal.squared_length());
+    const auto squared_part_within = [&](const Vector_3& d) { return d.squared_length() - CGAL::square(d * normal); };
+    return squared_part_within(jet.duu) * squared_length > e * e || squared_part_within(jet.dvv) * squared_length > g * g
+           || squared_part_within(jet.duv) * squared_length > e * g;
   }
 
   // `jet`, that of the surface at `uv`, with the slopes of chords of about the given length as first derivatives
