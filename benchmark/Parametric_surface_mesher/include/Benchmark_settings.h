@@ -20,17 +20,18 @@
 
 class Benchmark_settings
 {
-  std::string m_usage;
+  std::string m_usage, m_unit;
   boost::program_options::options_description m_options;
 
 public:
-  std::vector<double> sizes; // numbers of triangles
+  std::vector<double> sizes; // numbers of triangles, or of another unit
   std::size_t repeat = 3;
   Text_table::Format format = Text_table::PLAIN;
 
-  // `usage` comes before the options in the help text
-  Benchmark_settings(std::string usage, std::vector<double> default_sizes)
-    : m_usage(std::move(usage)), m_options("Options"), sizes(std::move(default_sizes))
+  // `usage` comes before the options in the help text; of several timings the `statistic` counts
+  Benchmark_settings(std::string usage, std::vector<double> default_sizes, std::string unit = "triangles",
+                     const std::string& statistic = "median")
+    : m_usage(std::move(usage)), m_unit(std::move(unit)), m_options("Options"), sizes(std::move(default_sizes))
   {
     using boost::program_options::value;
     std::string default_text;
@@ -38,8 +39,9 @@ public:
       default_text += (default_text.empty() ? "" : " ") + text("%.0f", size);
     m_options.add_options()
       ("help", "shows this text")
-      ("sizes", value(&sizes)->multitoken()->default_value(sizes, default_text), "numbers of triangles")
-      ("repeat", value(&repeat)->default_value(repeat), "number of timings, of which the median counts")
+      ("sizes", value(&sizes)->multitoken()->default_value(sizes, default_text),
+       ("numbers of " + m_unit).c_str())
+      ("repeat", value(&repeat)->default_value(repeat), ("number of timings, of which the " + statistic + " counts").c_str())
       ("markdown", "prints a Markdown table");
   }
 
@@ -61,7 +63,7 @@ public:
       throw std::invalid_argument("--repeat must be positive");
     for(const double size : sizes)
       if(!(size >= 1 && std::isfinite(size)))
-        throw std::invalid_argument("a size must be a number of triangles");
+        throw std::invalid_argument("a size must be a number of " + m_unit);
     format = values.count("markdown") ? Text_table::MARKDOWN : Text_table::PLAIN;
     return values.count("help") == 0;
   }
