@@ -5,6 +5,7 @@
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/Chord_jet.h>
 #include <CGAL/Parametric_surface_mesher/internal/describe.h>
 #include <CGAL/Surface_jet_3.h>
 
@@ -140,7 +141,14 @@ private:
       return false;
     if(!m_singular_points.empty() && is_near_singular_point(midpoint(a, b), std::sqrt(squared_length) / (6 * gamma)))
       return true;
-    return squared_height < 0.09 * squared_length && !is_nearly_uniform(p, q, 1 + 10 * gamma);
+    return squared_height < 0.09 * squared_length && (is_singular_over(p, squared_length, gamma) || is_singular_over(q, squared_length, gamma));
+  }
+
+  // Whether, at the end `p` of an edge, first derivatives change within the surface by as much as they are over its length.
+  template <class ParametricPoint>
+  bool is_singular_over(const ParametricPoint& p, double squared_length, double gamma) const
+  {
+    return Parametric_surface_mesher::internal::changes_within(m_surface.jet(p.x(), p.y()), std::sqrt(squared_length), gamma);
   }
 
   // Whether the squared speed of the parametrisation changes by less than a factor along an edge.

@@ -234,7 +234,7 @@ std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_me
   const auto speed = [&curve](double t) { return curve.speed(t); };
   typedef Parametric_surface_mesher::internal::Arc_length<decltype(speed)> Arc_length;
   const double rough_length = Arc_length(speed, curve.begin(), curve.end(), 4).length();
-  const std::size_t table_size = std::size_t((std::min)((std::max)(rough_length / criteria.max_edge(), 16.), 1e5));
+  const std::size_t table_size = std::size_t((std::min)((std::max)(rough_length / criteria.max_edge(), 4.), 1e5));
   const Arc_length arc_length(speed, curve.begin(), curve.end(), table_size);
   if(!(arc_length.length() > 0))
     return {curve.begin(), curve.end()};

@@ -86,7 +86,7 @@ private:
   {
     double sum = 0;
     for(std::size_t face : piece)
-      sum += volume_under_face(m_model.faces()[face], m_model.vertices().front());
+      sum += volume_under_face(m_model.faces()[face], m_model.vertices().front(), piece.size() < 50 ? 4 : 1);
     return sum;
   }
 };

@@ -216,7 +216,8 @@ TEST(Divide_curve, wanted_sizes_are_honoured)
     for(std::size_t i = 0; i + 1 < t.size(); ++i) {
       const double length = t[i + 1] - t[i];
       EXPECT_LE(length, 1.4 * (std::min)({size(t[i]), size((t[i] + t[i + 1]) / 2), size(t[i + 1])}) * (1 + 1e-9));
-      EXPECT_GE(length, 0.35 * (std::min)(size(t[i]), size(t[i + 1]))) << "much shorter than wanted";
+      // where sizes grow steeply, pieces may not double twice in a row
+      EXPECT_GE(length, (slope < 0.1 ? 0.35 : 0.24) * (std::min)(size(t[i]), size(t[i + 1]))) << "much shorter than wanted";
     }
   }
 }

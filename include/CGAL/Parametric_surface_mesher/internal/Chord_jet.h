@@ -4,7 +4,9 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHORD_JET_H
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Surface_jet_3.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +14,25 @@
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
+
+// Whether first derivatives change, within the surface, by as much as they are over a length in space. (A large deviation ratio allows edges
+// along which those of a regular surface do: then it takes more.)
+template <class Kernel>
+bool changes_within(const Surface_jet_3<Kernel>& jet, double length, double gamma)
+{
+  typedef typename Kernel::Vector_3 Vector_3;
+  const double e = jet.du.squared_length(), g = jet.dv.squared_length();
+  const double squared_length = square(length * (std::min)(1., 1 / (14 * gamma)));
+  if(!(jet.duu.squared_length() * squared_length > e * e || jet.dvv.squared_length() * squared_length > g * g
+       || jet.duv.squared_length() * squared_length > e * g))
+    return false;
+  Vector_3 normal = cross_product(jet.du, jet.dv);
+  if(normal.squared_length() > 0)
+    normal = normal / std::sqrt(normal.squared_length());
+  const auto squared_part_within = [&](const Vector_3& d) { return d.squared_length() - square(d * normal); };
+  return squared_part_within(jet.duu) * squared_length > e * e || squared_part_within(jet.dvv) * squared_length > g * g
+         || squared_part_within(jet.duv) * squared_length > e * g;
+}
 
 // First derivatives tell nothing about the distances between the points of a mesh where they change by as much as they are
 // within one edge: where the parametrisation is singular, or nearly. There the slopes of chords as long as an edge replace them.
@@ -32,21 +53,6 @@ class Chord_jet
 public:
   // no point outside `box` is evaluated
   Chord_jet(const Surface& surface, const Bbox_2& box) : m_surface(surface), m_box(box) {}
-
-  // Whether first derivatives change, within the surface, by as much as they are over a length in space.
-  static bool is_needed(const Surface_jet_3<Kernel>& jet, double length)
-  {
-    const double e = jet.du.squared_length(), g = jet.dv.squared_length(), squared_length = length * length;
-    if(!(jet.duu.squared_length() * squared_length > e * e || jet.dvv.squared_length() * squared_length > g * g
-         || jet.duv.squared_length() * squared_length > e * g))
-      return false;
-    Vector_3 normal = cross_product(jet.du, jet.dv);
-    if(normal.squared_length() > 0)
-      normal = normal / std::sqrt(normal.squared_length());
-    const auto squared_part_within = [&](const Vector_3& d) { return d.squared_length() - CGAL::square(d * normal); };
-    return squared_part_within(jet.duu) * squared_length > e * e || squared_part_within(jet.dvv) * squared_length > g * g
-           || squared_part_within(jet.duv) * squared_length > e * g;
-  }
 
   // `jet`, that of the surface at `uv`, with the slopes of chords of about the given length as first derivatives
   Surface_jet_3<Kernel> operator()(const Point_2& uv, const Surface_jet_3<Kernel>& jet, double length) const

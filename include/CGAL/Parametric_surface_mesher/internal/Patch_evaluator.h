@@ -44,13 +44,12 @@ private:
   const Oracle& m_oracle;
   Spacing_limit<Oracle> m_spacing_limit;
   Chord_jet<typename Oracle::Surface> m_chord_jet;
-  double m_share_of_chords; // a large deviation ratio allows edges along which a regular surface changes that much
+  double m_gamma;
 
 public:
   // `box`: of the patch, in the coordinates that it is meshed in
   Patch_evaluator(const Oracle& oracle, const Parametric_surface_mesh_criteria& criteria, const Bbox_2& box)
-    : m_oracle(oracle), m_spacing_limit(oracle, criteria), m_chord_jet(oracle.surface(), box),
-      m_share_of_chords((std::min)(1., 1 / (14 * criteria.gamma())))
+    : m_oracle(oracle), m_spacing_limit(oracle, criteria), m_chord_jet(oracle.surface(), box), m_gamma(criteria.gamma())
   {}
 
   const Oracle& oracle() const { return m_oracle; }
@@ -73,7 +72,7 @@ private:
     Metric_tensor_2 tensor = m_oracle.metric().tensor(jet);
     check_finite(uv, surface_point, tensor);
     const double limit = spacing_limit(uv, jet);
-    const bool is_by_chords = m_chord_jet.is_needed(jet, m_share_of_chords * limit);
+    const bool is_by_chords = changes_within(jet, limit, m_gamma);
     if(is_by_chords) {
       tensor = m_oracle.metric().tensor(m_chord_jet(uv, jet, limit));
       check_finite(uv, surface_point, tensor);

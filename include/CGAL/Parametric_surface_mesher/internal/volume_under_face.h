@@ -14,11 +14,10 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The integral of a function over [a,b], by a Gauss rule on each of four parts: good enough for a sign.
+// The integral of a function over [a,b], by a Gauss rule on each of some parts.
 template <class Function>
-double integral(Function function, double a, double b)
+double integral(Function function, double a, double b, int number_of_parts)
 {
-  const int number_of_parts = 4;
   double sum = 0;
   for(int i = 0; i < number_of_parts; ++i)
     sum += boost::math::quadrature::gauss<double, 7>::integrate(function, a + (b - a) * i / number_of_parts,
@@ -27,9 +26,10 @@ double integral(Function function, double a, double b)
 }
 
 // The signed volume between a face of a model and a point: summed over a closed surface, what it encloses. The integral over the domain
-// of S (S_u x S_v) / 3 is taken along the loops, by Green's theorem.
+// of S (S_u x S_v) / 3 is taken along the loops, by Green's theorem. For the sign of the volume in few faces four parts of each curve are good enough, and in
+// many faces one.
 template <class Face, class Point_3>
-double volume_under_face(const Face& face, const Point_3& origin)
+double volume_under_face(const Face& face, const Point_3& origin, int number_of_parts)
 {
   const auto curve_of = [](const auto& use) -> const auto& { return use.curve; };
   const double u_min = domain_box(face.loops, curve_of).xmin();
@@ -46,8 +46,8 @@ double volume_under_face(const Face& face, const Point_3& origin)
         return c.first.y() * integral([&](double u) {
           const auto jet = face.surface.jet(u, c.point.y());
           return (jet.point - origin) * cross_product(jet.du, jet.dv) / 3;
-        }, u_min, c.point.x());
-      }, use.curve.begin(), use.curve.end());
+        }, u_min, c.point.x(), number_of_parts);
+      }, use.curve.begin(), use.curve.end(), number_of_parts);
     }
     volume += (double_area > 0) == (l == 0) ? sum : -sum;
   }
