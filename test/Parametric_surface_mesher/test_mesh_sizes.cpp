@@ -115,7 +115,7 @@ TEST(Mesh_sizes, minimum_edge)
   // gamma asks for far less than the minimum edge
   const Sample peak = make_sample("peak");
   Mesh mesh;
-  const Criteria criteria = Criteria().set_max_edge(0.2).set_min_edge(0.05).set_gamma(0.001);
+  const Criteria criteria = Criteria().set_max_edge(0.2).set_min_edge(0.02).set_gamma(0.001);
   const Report report = add_patch(peak.surface, peak.domain, criteria, mesh);
   double shortest = std::numeric_limits<double>::infinity();
   for(const auto e : mesh.edges())
