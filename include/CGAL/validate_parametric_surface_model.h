@@ -106,37 +106,50 @@ private:
     const Edge& edge = m_model.edges()[use.edge];
     check_range(f, use, edge.curve ? edge.curve->begin() : first.curve.begin(),
                 edge.curve ? edge.curve->end() : first.curve.end());
+    Gap largest;
     for(int k = 0; k < number_of_samples; ++k) {
       const double share = double(k) / (number_of_samples - 1);
       const Point_3 p = point(f, use, share);
       if(k == 0 || edge.is_collapsed)
-        check_distance(f, use, p, m_model.vertices()[edge.source], number("vertex", edge.source));
+        largest.add(p, m_model.vertices()[edge.source], number("vertex", edge.source));
       else if(k == number_of_samples - 1)
-        check_distance(f, use, p, m_model.vertices()[edge.target], number("vertex", edge.target));
+        largest.add(p, m_model.vertices()[edge.target], number("vertex", edge.target));
       else if(edge.curve)
-        check_distance(f, use, p, edge.curve->point(parameter(*edge.curve, share)), "the curve of the edge");
+        largest.add(p, edge.curve->point(parameter(*edge.curve, share)), "the curve of the edge");
       else
-        check_distance(f, use, p, point(first_face, first, share), "its image on " + number("face", first_face));
+        largest.add(p, point(first_face, first, share), "its image on " + number("face", first_face));
     }
+    const double tolerance = (std::max)(m_tolerance, edge.tolerance);
+    if(!(largest.distance <= tolerance))
+      throw Parametric_surface_mesh_error(number("face", f) + ", " + number("edge", use.edge)
+                                          + ": the image of the curve in the domain is " + describe(largest.distance)
+                                          + " away from " + largest.what + "; the tolerance is " + describe(tolerance));
   }
 
   void check_range(std::size_t f, const Edge_use& use, double begin, double end) const
   {
     if(use.curve.begin() != begin || use.curve.end() != end)
-      throw Parametric_surface_mesh_error(number("face", f) + ", " + number("edge", use.edge) + ": the curve in the domain has the parameters "
-                                          + describe(use.curve.begin()) + " to " + describe(use.curve.end()) + ", but the edge "
-                                          + describe(begin) + " to " + describe(end));
+      throw Parametric_surface_mesh_error(number("face", f) + ", " + number("edge", use.edge)
+                                          + ": the curve in the domain has the parameters " + describe(use.curve.begin())
+                                          + " to " + describe(use.curve.end()) + ", but the edge " + describe(begin)
+                                          + " to " + describe(end));
   }
 
-  void check_distance(std::size_t f, const Edge_use& use, const Point_3& p, const Point_3& q, const std::string& what) const
+  // the largest distance of points that should be one
+  struct Gap
   {
-    const double distance = std::sqrt(squared_distance(p, q));
-    const double tolerance = (std::max)(m_tolerance, m_model.edges()[use.edge].tolerance);
-    if(!(distance <= tolerance))
-      throw Parametric_surface_mesh_error(number("face", f) + ", " + number("edge", use.edge) + ": the image of the curve in the domain is "
-                                          + describe(distance) + " away from " + what + "; the tolerance is "
-                                          + describe(tolerance));
-  }
+    double distance = 0;
+    std::string what;
+
+    void add(const Point_3& p, const Point_3& q, const std::string& name_of_q)
+    {
+      const double d = std::sqrt(squared_distance(p, q));
+      if(d <= distance)
+        return;
+      distance = d; // also if it is not a number
+      what = name_of_q;
+    }
+  };
 
   template <class Curve>
   static double parameter(const Curve& curve, double share)

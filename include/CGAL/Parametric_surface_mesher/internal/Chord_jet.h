@@ -45,7 +45,7 @@ class Chord_jet
   typedef typename Kernel::Vector_2 Vector_2;
   typedef typename Kernel::Vector_3 Vector_3;
 
-  static const int max_number_of_steps = 40;
+  static constexpr double smallest_share = 1e-3; // of the domain, that a chord begins with
 
   const Surface& m_surface;
   Bbox_2 m_box;
@@ -58,20 +58,23 @@ public:
   Surface_jet_3<Kernel> operator()(const Point_2& uv, const Surface_jet_3<Kernel>& jet, double length) const
   {
     Surface_jet_3<Kernel> result = jet;
-    result.du = slope(uv, Vector_2(1, 0), 0.5 * m_box.x_span(), length);
-    result.dv = slope(uv, Vector_2(0, 1), 0.5 * m_box.y_span(), length);
+    result.du = slope(uv, Vector_2(1, 0), jet.du, 0.5 * m_box.x_span(), length);
+    result.dv = slope(uv, Vector_2(0, 1), jet.dv, 0.5 * m_box.y_span(), length);
     return result;
   }
 
 private:
-  // From the longest chord in the box to shorter ones, to the first that is short enough.
-  Vector_3 slope(const Point_2& uv, const Vector_2& direction, double longest_step, double length) const
+  // From short chords to longer ones, to the first that is long enough. (From long to short ones a surface that closes on itself
+  // would mislead: its longest chords have no length.)
+  Vector_3 slope(const Point_2& uv, const Vector_2& direction, const Vector_3& derivative, double longest_step,
+                 double length) const
   {
-    double step = longest_step;
-    for(int i = 0;; ++i, step *= 0.6) {
+    double step = (std::min)(0.5 * length / std::sqrt(derivative.squared_length()), smallest_share * longest_step);
+    for(;; step *= 1.6) {
+      step = (std::min)(step, longest_step);
       const Point_2 p = in_box(uv - step * direction), q = in_box(uv + step * direction);
       const Vector_3 chord = m_surface.point(q.x(), q.y()) - m_surface.point(p.x(), p.y());
-      if(i == max_number_of_steps || !(chord.squared_length() > 2.25 * length * length))
+      if(step == longest_step || chord.squared_length() > 0.36 * length * length)
         return chord / ((q - p) * direction);
     }
   }

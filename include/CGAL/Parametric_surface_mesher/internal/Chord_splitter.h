@@ -100,8 +100,9 @@ private:
     const auto middle = midpoint(chord.first->point().domain_point(), chord.second->point().domain_point());
     if(!is_inside(middle, face, i))
       return;
-    const Vertex_handle vertex = m_insertion.insert_in_edge(m_evaluate(middle).point, face, i);
-    vertex->set_spacing(0.5 * (chord.first->spacing() + chord.second->spacing()));
+    const double spacing = 0.5 * (chord.first->spacing() + chord.second->spacing());
+    const Vertex_handle vertex = m_insertion.insert_in_edge(m_evaluate(middle, spacing).point, face, i);
+    vertex->set_spacing(spacing);
   }
 
   // Whether `p`, a rounded middle of edge `i`, makes four triangles of positive orientation; exact.

@@ -231,9 +231,13 @@ private:
         result[e] = result[first.first->second] = 2;
     }
     for(const auto& face : m_model.faces())
-      for(const auto& loop : face.loops)
+      for(const auto& loop : face.loops) {
+        const std::size_t n = std::count_if(loop.begin(), loop.end(), [this](const Edge_use& use) {
+          return !m_model.edges()[use.edge].is_collapsed;
+        });
         for(const Edge_use& use : loop)
-          result[use.edge] = (std::max)(result[use.edge], loop.size() == 1 ? std::size_t(3) : loop.size() == 2 ? 2 : 1);
+          result[use.edge] = (std::max)(result[use.edge], n == 1 ? std::size_t(3) : n == 2 ? 2 : 1);
+      }
     return result;
   }
 

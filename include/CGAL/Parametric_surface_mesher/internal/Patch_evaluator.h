@@ -54,27 +54,29 @@ public:
 
   const Oracle& oracle() const { return m_oracle; }
 
-  Evaluated operator()(const Point_2& uv) const
+  // `spacing`: of the neighbourhood; over such lengths the tensor is to tell distances
+  Evaluated operator()(const Point_2& uv, double spacing) const
   {
     const Surface_jet_3<Kernel> jet = m_oracle.surface().jet(uv.x(), uv.y());
-    return evaluated(uv, jet.point, jet);
+    return evaluated(uv, jet.point, jet, spacing);
   }
 
   // with the point in space given, for boundary vertices
-  Evaluated operator()(const Point_2& uv, const Point_3& surface_point) const
+  Evaluated operator()(const Point_2& uv, const Point_3& surface_point, double spacing) const
   {
-    return evaluated(uv, surface_point, m_oracle.surface().jet(uv.x(), uv.y()));
+    return evaluated(uv, surface_point, m_oracle.surface().jet(uv.x(), uv.y()), spacing);
   }
 
 private:
-  Evaluated evaluated(const Point_2& uv, const Point_3& surface_point, const Surface_jet_3<Kernel>& jet) const
+  Evaluated evaluated(const Point_2& uv, const Point_3& surface_point, const Surface_jet_3<Kernel>& jet, double spacing) const
   {
     Metric_tensor_2 tensor = m_oracle.metric().tensor(jet);
     check_finite(uv, surface_point, tensor);
     const double limit = spacing_limit(uv, jet);
-    const bool is_by_chords = changes_within(jet, limit, m_gamma);
+    const double length = (std::min)(limit, spacing);
+    const bool is_by_chords = changes_within(jet, length, m_gamma);
     if(is_by_chords) {
-      tensor = m_oracle.metric().tensor(m_chord_jet(uv, jet, limit));
+      tensor = m_oracle.metric().tensor(m_chord_jet(uv, jet, length));
       check_finite(uv, surface_point, tensor);
     }
     const bool is_regular = is_well_conditioned(tensor);
@@ -108,7 +110,7 @@ private:
   // makes it so; at a point where all derivatives vanish it is the identity.
   static Metric_tensor_2 regularized(const Metric_tensor_2& m)
   {
-    const double size = m.trace() > 1e-200 ? 1e-6 * m.trace() : 1e-200;
+    const double size = m.trace() > 1e-90 ? 1e-6 * m.trace() : 1e-100;
     return m + Metric_tensor_2(size, 0, size);
   }
 };

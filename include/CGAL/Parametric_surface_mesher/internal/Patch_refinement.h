@@ -210,7 +210,8 @@ private:
     if(candidate.location.kind == Location::ON_EDGE
        && candidate.location.face->is_constrained(candidate.location.index))
       return false;
-    candidate.evaluated = m_evaluate(uv);
+    const Face_handle face = candidate.location.face;
+    candidate.evaluated = m_evaluate(uv, (face->vertex(0)->spacing() + face->vertex(1)->spacing() + face->vertex(2)->spacing()) / 3);
     return true;
   }
 

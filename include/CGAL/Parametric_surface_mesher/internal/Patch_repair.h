@@ -157,7 +157,7 @@ private:
     for(const Point_2& position : m_positions) {
       if(!is_star_around(position, vertex))
         continue;
-      vertex->set_point(m_evaluate(position).point);
+      vertex->set_point(m_evaluate(position, vertex->spacing()).point);
       const Measure found = measure(m_star);
       if(found.is_better_than(best)) {
         best = found;

@@ -17,6 +17,7 @@ namespace internal {
 struct Collapsed_side
 {
   double from, to; // range of the coordinate that runs along the side
+  double low, high; // range of that coordinate in all of the domain
   double level;    // of the other coordinate
   double extent;   // of the domain in the other coordinate
   double angle;    // in space, that the directions leaving the side sweep over
@@ -149,8 +150,8 @@ private:
   {
     const double three_quarters = 6 * std::atan(1.);
     m_is_swapped = !side.is_on_v_line;
-    m_middle = 0.5 * (side.from + side.to);
-    m_theta_per_along = (std::min)(angle, three_quarters) / std::fabs(side.to - side.from);
+    m_middle = 0.5 * (side.low + side.high);
+    m_theta_per_along = (std::min)(angle / std::fabs(side.to - side.from), three_quarters / (side.high - side.low));
     if(side.is_lower == side.is_on_v_line)
       m_theta_per_along = -m_theta_per_along;
   }

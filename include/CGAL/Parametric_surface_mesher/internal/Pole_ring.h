@@ -91,7 +91,7 @@ private:
     if(location.kind != Location::IN_FACE
        && (location.kind != Location::ON_EDGE || location.face->is_constrained(location.index)))
       return;
-    const auto evaluated = m_evaluate(position);
+    const auto evaluated = m_evaluate(position, radius);
     for(int i = 0; i < 3; ++i)
       if(squared_distance(evaluated.point.surface_point(), location.face->vertex(i)->point().surface_point())
          < 0.25 * radius * radius)

@@ -62,6 +62,8 @@ private:
     result.from = result.is_on_v_line ? p.x() : p.y();
     result.to = result.is_on_v_line ? q.x() : q.y();
     result.level = result.is_on_v_line ? p.y() : p.x();
+    result.low = result.is_on_v_line ? m_box.xmin() : m_box.ymin();
+    result.high = result.is_on_v_line ? m_box.xmax() : m_box.ymax();
     const double low = result.is_on_v_line ? m_box.ymin() : m_box.xmin();
     const double high = result.is_on_v_line ? m_box.ymax() : m_box.xmax();
     const bool is_straight = result.is_on_v_line || p.x() == q.x();
@@ -89,13 +91,10 @@ private:
     return sum;
   }
 
-  // Where the domain reaches beyond the ends of the side, its angle in the chart must stay below a full turn.
-  bool fits(const Collapsed_side& side) const
+  // Where the domain reaches far beyond the ends of the side, the chart would be too distorted.
+  static bool fits(const Collapsed_side& side)
   {
-    const double low = side.is_on_v_line ? m_box.xmin() : m_box.ymin();
-    const double high = side.is_on_v_line ? m_box.xmax() : m_box.ymax();
-    const double factor = (high - low) / std::fabs(side.to - side.from);
-    return std::isfinite(factor * side.angle) && (factor <= 1 || factor * side.angle < 6 * std::atan(1.));
+    return side.high - side.low < 2.5 * std::fabs(side.to - side.from);
   }
 };
 

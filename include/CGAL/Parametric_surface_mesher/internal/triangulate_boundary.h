@@ -80,8 +80,8 @@ private:
     std::vector<Evaluated> result;
     for(const auto& loop : m_loops) {
       m_starts.push_back(result.size());
-      for(const Boundary_vertex<Kernel>& vertex : loop) {
-        result.push_back(evaluate(vertex.domain_point, vertex.surface_point));
+      for(std::size_t i = 0; i < loop.size(); ++i) {
+        result.push_back(evaluate(loop[i].domain_point, loop[i].surface_point, spacing(loop, i)));
         m_number_of_replaced_tensors += result.back().is_tensor_replaced;
       }
     }
@@ -182,18 +182,23 @@ private:
                                           + ", at (u,v) = " + describe(a->point()));
   }
 
-  // spacing of boundary vertices: the mean of the distances to the two neighbours (paper, section "Spacing function")
+  // of a boundary vertex: the mean of the distances to the two neighbours (paper, section "Spacing function")
+  static double spacing(const std::vector<Boundary_vertex<Kernel>>& loop, std::size_t i)
+  {
+    const auto &before = loop[(i + loop.size() - 1) % loop.size()].surface_point,
+               &after = loop[(i + 1) % loop.size()].surface_point, &here = loop[i].surface_point;
+    return (std::sqrt(squared_distance(before, here)) + std::sqrt(squared_distance(here, after))) / 2;
+  }
+
   void set_points(const std::vector<Evaluated>& evaluated)
   {
     std::size_t position = 0;
     for(const auto& loop : m_loops)
       for(std::size_t i = 0; i < loop.size(); ++i, ++position) {
         const Vertex_handle vertex = m_vertices[position];
-        const auto &before = loop[(i + loop.size() - 1) % loop.size()].surface_point,
-                   &after = loop[(i + 1) % loop.size()].surface_point, &here = loop[i].surface_point;
         vertex->set_point(evaluated[position].point);
-        const double spacing = (std::sqrt(squared_distance(before, here)) + std::sqrt(squared_distance(here, after))) / 2;
-        vertex->set_spacing(vertex->is_on_boundary() ? (std::min)(vertex->spacing(), spacing) : spacing); // loops may touch
+        const double own = spacing(loop, i);
+        vertex->set_spacing(vertex->is_on_boundary() ? (std::min)(vertex->spacing(), own) : own); // loops may touch
         vertex->set_index(loop[i].index);
         vertex->set_on_boundary(true);
       }
