@@ -311,9 +311,9 @@ inline double diagonal(const Mesh& mesh)
 class Impatient_visitor : public CGAL::Parametric_surface_mesh_visitor
 {
 #ifdef __SANITIZE_ADDRESS__
-  static const int max_number_of_seconds = 30;
+  static const int max_number_of_seconds = 200;
 #else
-  static const int max_number_of_seconds = 4;
+  static const int max_number_of_seconds = 40;
 #endif
 
   std::clock_t m_start = std::clock();
