@@ -165,7 +165,7 @@ void add_line(const std::string& name, const Result& r, Text_table& table)
 const char usage[] =
   "Usage: performance [SIZE...] [OPTIONS]\n"
   "Prints speed, shape and memory of the meshes of the sample surfaces with about SIZE triangles. Times are processor\n"
-  "times, user and system, those of the phases in percent of their sum and user time alone. The ratio is that to the time\n"
+  "times, user and system, those of the phases in percent of their sum. The ratio is that to the time\n"
   "in which points are inserted into a constrained Delaunay triangulation of as many triangles.\n";
 
 Settings::Settings()
