@@ -74,8 +74,9 @@ public:
     return *this;
   }
 
-  /// the shortest length that edges are divided into: an edge is not divided for the sake of deviation, on the boundary or inside, if it is
-  /// shorter than twice this; and no two inner points are closer to each other. Default: 1/200 of `max_edge()`, or of the default of that if it is smaller.
+  /// the shortest length that edges are divided into: an edge is not divided for the sake of deviation, on the boundary or
+  /// inside, if it is shorter than twice this; and no two inner points are closer to each other. Default: 1/200 of
+  /// `max_edge()`, or of the default of that if it is smaller.
   /// \pre `length > 0`
   Parametric_surface_mesh_criteria& set_min_edge(double length)
   {
@@ -102,8 +103,8 @@ public:
   }
 
   /// the factor `C` of the size criterion (paper, eq. 3): a triangle is too large if its circumradius is above
-  /// `C (S_1 + S_2 + S_3)`, or above 0.91 of that if it has an angle below 46 degrees. With the default the number of triangles
-  /// is that of equilateral ones with the wanted edge length. Default: 0.28. \pre `c > 0`
+  /// `C (S_1 + S_2 + S_3)`, or above 0.91 of that if it has an angle below 46 degrees. With the default the number of
+  /// triangles is that of equilateral ones with the wanted edge length. Default: 0.28. \pre `c > 0`
   Parametric_surface_mesh_criteria& set_size_factor(double c)
   {
     CGAL_precondition(c > 0);
@@ -180,8 +181,8 @@ public:
   class Is_bad
   {
     // A triangle with no angle below some 46 degrees counts as well shaped. To split it costs shape around it, so it may be
-    // larger than others (by sqrt(1.2)), and waits until the others are done: measured, this raises the mean radius ratio from
-    // 0.906 to 0.916.
+    // larger than others (by sqrt(1.2)), and waits until the others are done: measured, this raises the mean radius ratio
+    // from 0.906 to 0.916.
     static constexpr double squared_sine_of_good_shape = 0.51;
     static constexpr double allowance_of_good_shape = 1.2;
 

@@ -53,9 +53,9 @@ auto vertex_uv_map(const VertexUvMap& map, const Others&... others)
 /*!
 \ingroup PkgParametricSurfaceMesherRef
 
-the named parameter for the property map that takes, for each halfedge that is not on the border, the domain point of its target in the domain of
-the patch that its face lies on: a model of `WritablePropertyMap` with value type `Kernel::Point_2`. A vertex on several
-patches has a domain point on each. See `vertex_uv_map()` on how to combine it.
+the named parameter for the property map that takes, for each halfedge that is not on the border, the domain point of its
+target in the domain of the patch that its face lies on: a model of `WritablePropertyMap` with value type
+`Kernel::Point_2`. A vertex on several patches has a domain point on each. See `vertex_uv_map()` on how to combine it.
 */
 template <class HalfedgeUvMap, class... Others>
 auto halfedge_uv_map(const HalfedgeUvMap& map, const Others&... others)
@@ -67,8 +67,8 @@ auto halfedge_uv_map(const HalfedgeUvMap& map, const Others&... others)
 /*!
 \ingroup PkgParametricSurfaceMesherRef
 
-the named parameter for the property map that takes, for each face of the mesh, the number of the patch it lies on: a model of
-`WritablePropertyMap` with value type `std::size_t`. See `vertex_uv_map()` on how to combine it.
+the named parameter for the property map that takes, for each face of the mesh, the number of the patch it lies on: a model
+of `WritablePropertyMap` with value type `std::size_t`. See `vertex_uv_map()` on how to combine it.
 */
 template <class FacePatchIdMap, class... Others>
 auto face_patch_id_map(const FacePatchIdMap& map, const Others&... others)
@@ -80,7 +80,8 @@ auto face_patch_id_map(const FacePatchIdMap& map, const Others&... others)
 /*!
 \ingroup PkgParametricSurfaceMesherRef
 
-the named parameter for the metric field, a model of `ParametricSurfaceMetricField_2`. See `vertex_uv_map()` on how to combine it.
+the named parameter for the metric field, a model of `ParametricSurfaceMetricField_2`. See `vertex_uv_map()` on how to
+combine it.
 */
 template <class MetricField, class... Others>
 auto metric_field(const MetricField& field, const Others&... others)

@@ -19,8 +19,8 @@ struct Parametric_surface_mesh_visitor
   /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"improvement"`, `"output"`.
   void on_phase(const char* /* name */) {}
 
-  /// called during refinement, once for some hundred new vertices, with the number of vertices so far and an upper bound of the
-  /// number of triangles still waiting.
+  /// called during refinement, once for some hundred new vertices, with the number of vertices so far and an upper bound
+  /// of the number of triangles still waiting.
   void on_progress(std::size_t /* number_of_vertices */, std::size_t /* number_of_bad_faces */) {}
 
   /// asked as often as `on_progress()` is called; `false` ends the refinement with the valid mesh of that moment.

@@ -18,8 +18,8 @@ namespace CGAL {
 /*!
 \ingroup PkgParametricSurfaceMesherModel
 
-Several patches that share boundary curves: vertices in space, edges between them, and faces. A face is a surface with loops of
-edge uses, each with the edge's curve in the domain of that face. An edge is divided once, and all faces that use
+Several patches that share boundary curves: vertices in space, edges between them, and faces. A face is a surface with
+loops of edge uses, each with the edge's curve in the domain of that face. An edge is divided once, and all faces that use
 it get the same points: their meshes fit without a crack.
 
 - An edge may be used twice by one face: a *seam*, along which the face closes on itself.
@@ -27,8 +27,8 @@ it get the same points: their meshes fit without a crack.
 - An edge may be used by three or more faces, or by several shells: see `Face::shell`.
 - Loops of a face may touch in a common vertex.
 
-Meshing begins with `validate()` of `validate_parametric_surface_model.h`: loops must close, and the uses of an edge be the same curve in space within the
-`tolerance()`.
+Meshing begins with `validate()` of `validate_parametric_surface_model.h`: loops must close, and the uses of an edge be the
+same curve in space within the `tolerance()`.
 
 \tparam Surface a model of `ParametricSurface_3`
 
@@ -71,8 +71,8 @@ public:
     Surface surface;
     std::vector<Loop> loops;  ///< the outer one first
     bool is_reversed = false; ///< whether the triangles are to face against `S_u x S_v`
-    /// Faces of one shell are joined along an edge that two of them use; those of different shells are not, and an edge with three or
-    /// more uses in one shell is a border of each of its faces. So the mesh of a shell is always manifold.
+    /// Faces of one shell are joined along an edge that two of them use; those of different shells are not, and an edge
+    /// with three or more uses in one shell is a border of each of its faces. So the mesh of a shell is always manifold.
     std::size_t shell = 0;
   };
 
@@ -131,8 +131,8 @@ public:
   /// \name Tolerance
   /// @{
 
-  /// sets how far apart in space what is to be one may be: the uses of an edge, and their ends and the vertices. 0, the default,
-  /// stands for 1e-6 of the diagonal of the model's bounding box.
+  /// sets how far apart in space what is to be one may be: the uses of an edge, and their ends and the vertices. 0, the
+  /// default, stands for 1e-6 of the diagonal of the model's bounding box.
   /// \pre `tolerance >= 0`
   void set_tolerance(double tolerance)
   {

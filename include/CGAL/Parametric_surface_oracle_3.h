@@ -49,10 +49,12 @@ void throw_not_finite(const Surface& surface, const Point_2& p)
 What the criteria may ask of a patch: its surface, its metric field, and how far the surface is from the mesh.
 
 Deviation is measured as in the paper: `H` is the distance of the surface point at the domain's middle of an edge to
-the edge. On a regular parametrisation that bounds the distance from the mesh, and how far the image of the straight domain line
-bends within the surface. Around a singular point (a pole, where a side of the domain collapses) those images
+the edge. On a regular parametrisation that bounds the distance from the mesh, and how far the image of the straight domain
+line bends within the surface. Around a singular point (a pole, where a side of the domain collapses) those images
 bend however small the edges are: at a distance `r` the ratio is `L / 8r`. Closer to such a point than `L / 6 gamma`
-only the part of `H` along the surface normal counts.
+only the part of `H` along the surface normal counts. It is the same with edges at an end of which
+the first derivatives change, within the surface, by as much as they are over the length of the edge, as long as `H/L` is
+below 0.3: there the parametrisation is singular, or nearly so.
 
 \tparam Surface_ a model of `ParametricSurface_3`
 \tparam MetricField a model of `ParametricSurfaceMetricField_2`
@@ -118,8 +120,8 @@ public:
   }
 
   /*!
-  tells whether a triangle, given by its corners counterclockwise in the domain, lies on the wrong side: facing away from the surface at its centroid. That
-  can be only where the parametrisation changes its speed within the triangle.
+  tells whether a triangle, given by its corners counterclockwise in the domain, lies on the wrong side: facing away from
+  the surface at its centroid. That can be only where the parametrisation changes its speed within the triangle.
   */
   template <class ParametricPoint>
   bool is_inverted(const ParametricPoint& p, const ParametricPoint& q, const ParametricPoint& r) const

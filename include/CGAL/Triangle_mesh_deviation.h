@@ -33,8 +33,8 @@ to the edge's line of the surface point in the middle of the edge in the domain.
 struct Triangle_mesh_deviation
 {
   double max_inner_deviation_ratio = 0;  ///< the largest deviation ratio of the edges of two faces
-  /// the same with the part of `H` along the surface normal alone: the rest tells how far the image of the straight domain line bends
-  /// within the surface, as it does around a pole however short the edge is
+  /// the same with the part of `H` along the surface normal alone: the rest tells how far the image of the straight domain
+  /// line bends within the surface, as it does around a pole however short the edge is
   double max_inner_normal_deviation_ratio = 0;
   double max_border_deviation_ratio = 0; ///< the largest deviation ratio of the edges of one face
   std::size_t number_of_skipped_edges = 0; ///< edges of length 0 or below the minimum, in neither of the two

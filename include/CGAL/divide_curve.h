@@ -209,10 +209,11 @@ private:
 \ingroup PkgParametricSurfaceMesherDomain
 
 divides a curve in space (paper, section "Curve Division"): into `N = length / max_edge` pieces of equal length (eq. 1),
-rounded up; then each piece in halves while its deviation is above `gamma`, or its arc height above `distance`, and the half is not shorter than `min_edge`.
+rounded up; then each piece in halves while its deviation is above `gamma`, or its arc height above `distance`, and the
+half is not shorter than `min_edge`.
 
-Two rules go beyond the paper, so that triangles along the curve can be well shaped: a piece is halved too while it is more than 1.4 times as
-long as `size` wants, and after that pieces more than twice as long as a neighbour are.
+Two rules go beyond the paper, so that triangles along the curve can be well shaped: a piece is halved too while it is more
+than 1.4 times as long as `size` wants, and after that pieces more than twice as long as a neighbour are.
 
 Lengths are arc lengths in space by adaptive quadrature. A curve of length 0 (a collapsed side of a patch) is one piece.
 

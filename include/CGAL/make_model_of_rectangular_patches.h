@@ -226,17 +226,19 @@ private:
 /*!
 \ingroup PkgParametricSurfaceMesherModel
 
-makes a model of patches over rectangles, for instance Bezier patches: boundary curves that are equal within `tolerance` become one
-edge, and sides that are a point become collapsed edges. Two sides of one patch may match too: it closes on itself along a seam. Patches are reversed
-by `orient_faces()`, so that neighbours face to the same side, and closed pieces outward.
+makes a model of patches over rectangles, for instance Bezier patches: boundary curves that are equal within `tolerance`
+become one edge, and sides that are a point become collapsed edges. Two sides of one patch may match too: it closes on
+itself along a seam. Patches are reversed by `orient_faces()`, so that neighbours face to the same side, and closed pieces
+outward.
 
 Where three or more patches meet in one curve the mesh is cut: see `Parametric_surface_model_3::Face::shell`.
 
-Curves match if they are equal at equal parameters, or at equal shares of their lengths, in the same or the opposite direction; they are
-compared at nine points. Patches that meet along a part of a side are not joined.
+Curves match if they are equal at equal parameters, or at equal shares of their lengths, in the same or the opposite
+direction; they are compared at nine points. Patches that meet along a part of a side are not joined.
 
 \param surfaces the patches
-\param tolerance how far apart points may be that are to be one. 0 stands for 1e-9 of the diagonal of the bounding box (of nine points of each patch).
+\param tolerance how far apart points may be that are to be one. 0 stands for 1e-9 of the diagonal of the bounding box (of
+nine points of each patch).
 \throws Parametric_surface_mesh_error if a connected piece is not orientable
 
 Complexity: `O(n log n)` for `n` patches whose corners are spread out in space.

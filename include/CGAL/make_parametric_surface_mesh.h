@@ -120,11 +120,12 @@ Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& mo
 
 meshes a trimmed parametric surface.
 
-The boundary of the domain is divided once; then the inside is triangulated and refined until every triangle meets the criteria.
-The division is never changed: its points are the first vertices of the mesh, in the order of loops and curves.
+The boundary of the domain is divided once; then the inside is triangulated and refined until every triangle meets the
+criteria. The division is never changed: its points are the first vertices of the mesh, in the order of loops and curves.
 What could not be met is in the report.
 
-Loops may touch where their curves begin; the pieces of the mesh that meet in such a point have copies of it, at the end of the vertices.
+Loops may touch where their curves begin; the pieces of the mesh that meet in such a point have copies of it, at the end of
+the vertices.
 
 If the input is refused nothing is added to `tm`.
 
@@ -191,16 +192,17 @@ make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<t
 /*!
 \ingroup PkgParametricSurfaceMesherFunctions
 
-meshes a model of several patches into one mesh. Each edge of the model is divided once, and its points are shared by all faces that
-use it, so that the mesh has no crack along it.
+meshes a model of several patches into one mesh. Each edge of the model is divided once, and its points are shared by all
+faces that use it, so that the mesh has no crack along it.
 
-The first vertices of the mesh are those vertices of the model that faces use; then come the inner points of its edges, edge by edge in the
-order of their first use.
+The first vertices of the mesh are those vertices of the model that faces use; then come the inner points of its edges,
+edge by edge in the order of their first use.
 
-The triangles face as the faces of the model do. The mesh is closed where the model is: an edge with two uses in a shell joins its faces, or one
-face with itself. Where an edge has one use, or three and more in one shell, the mesh has a border: see `Parametric_surface_model_3::Face::shell`. Of a vertex
-that several pieces of the mesh meet in, each piece has a copy, at the end of the vertices. So the mesh is always manifold; for triangles that share all points
-there is `make_parametric_surface_triangle_soup()`.
+The triangles face as the faces of the model do. The mesh is closed where the model is: an edge with two uses in a shell
+joins its faces, or one face with itself. Where an edge has one use, or three and more in one shell, the mesh has a border:
+see `Parametric_surface_model_3::Face::shell`. Of a vertex that several pieces of the mesh meet in, each piece has a copy,
+at the end of the vertices. So the mesh is always manifold; for triangles that share all points there is
+`make_parametric_surface_triangle_soup()`.
 
 The model is checked by `validate()` first.
 

@@ -13,18 +13,20 @@ namespace CGAL {
 /*!
 \ingroup PkgParametricSurfaceMesherFunctions
 
-meshes a model as `make_parametric_surface_mesh()` does, into triangles that share points: any number of them may meet in an edge, so
-that a model with edges of three or more faces, or of several shells, is meshed without being cut.
+meshes a model as `make_parametric_surface_mesh()` does, into triangles that share points: any number of them may meet in
+an edge, so that a model with edges of three or more faces, or of several shells, is meshed without being cut.
 
 \tparam Surface a model of `ParametricSurface_3`
 \tparam Criteria a model of `ParametricSurfaceMeshCriteria_2`, usually `Parametric_surface_mesh_criteria`
 \tparam Point_3 the point type of the surfaces
 \tparam Triangle an array of three numbers of points: `std::array<std::size_t, 3>`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `metric_field` and `visitor` as for `make_parametric_surface_mesh()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `metric_field` and `visitor` as for
+`make_parametric_surface_mesh()`
 
 \param model the model
 \param criteria what the triangles must meet
-\param points takes the points: those vertices of the model that faces use, the inner points of its edges, the inner points of its faces
+\param points takes the points: those vertices of the model that faces use, the inner points of its edges, the inner points
+of its faces
 \param triangles takes the triangles, counterclockwise as the faces of the model face
 \param patch_ids takes the number of the face of the model that each triangle lies on
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"

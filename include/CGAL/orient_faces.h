@@ -97,8 +97,9 @@ private:
 /*!
 \ingroup PkgParametricSurfaceMesherModel
 
-reverses faces of a model (by `Parametric_surface_model_3::Face::is_reversed`) so that neighbours face to the same side. The first face of each
-connected piece keeps its direction, unless the piece is closed: then all of its faces face outward, and its mesh bounds a positive volume.
+reverses faces of a model (by `Parametric_surface_model_3::Face::is_reversed`) so that neighbours face to the same side.
+The first face of each connected piece keeps its direction, unless the piece is closed: then all of its faces face outward,
+and its mesh bounds a positive volume.
 
 Faces are neighbours at an edge with two uses, both in one shell.
 

@@ -35,8 +35,8 @@ inline std::vector<double> smooth_intervals(const std::vector<double>& knots, in
 /*!
 \ingroup PkgParametricSurfaceMesherSurfaces
 
-splits a B-spline surface where it need not have a tangent plane: along the knots whose multiplicity is the degree, or more. The
-pieces go row by row, first those with the smallest `v`. A surface without such knots is one piece.
+splits a B-spline surface where it need not have a tangent plane: along the knots whose multiplicity is the degree, or
+more. The pieces go row by row, first those with the smallest `v`. A surface without such knots is one piece.
 
 With `make_model_of_rectangular_patches()` the creases become edges of a model, and so edges of the mesh. Inside a
 patch a crease would be meshed by ever smaller triangles, down to the minimum edge length.

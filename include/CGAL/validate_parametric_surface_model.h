@@ -100,7 +100,8 @@ private:
     return is_target ? m_model.edges()[use.edge].target : m_model.edges()[use.edge].source;
   }
 
-  // The use is the same curve in space, at the same parameters, as the edge: its own curve if it has one, else its first use.
+  // The use is the same curve in space, at the same parameters, as the edge: its own curve if it has one, else its first
+  // use.
   void check_use(std::size_t f, const Edge_use& use, std::size_t first_face, const Edge_use& first) const
   {
     const Edge& edge = m_model.edges()[use.edge];
@@ -183,10 +184,12 @@ private:
 \ingroup PkgParametricSurfaceMesherModel
 
 checks that the parts of a model fit together: every loop is closed, by its vertices and in the domain of its face; every
-use of an edge is, at the same parameters, the same curve in space as the edge, within the tolerance of the model or that of the edge if it is larger
-(compared at nine points); and two faces of a shell at an edge face to the same side. Meshing calls it.
+use of an edge is, at the same parameters, the same curve in space as the edge, within the tolerance of the model or that
+of the edge if it is larger (compared at nine points); and two faces of a shell at an edge face to the same side. Meshing
+calls it.
 
-\throws Parametric_surface_mesh_error if something does not fit; the message names the face, the loop, the edge and the distance
+\throws Parametric_surface_mesh_error if something does not fit; the message names the face, the loop, the edge and the
+distance
 
 Complexity: linear in the number of edge uses, apart from looking them up by shell.
 */

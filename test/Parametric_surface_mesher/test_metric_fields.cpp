@@ -40,8 +40,8 @@ void expect_near(const Tensor& expected, const Tensor& found, double tolerance, 
   EXPECT_NEAR(expected.g(), found.g(), tolerance * expected.trace()) << where;
 }
 
-// The pull-back of the ellipse with half axes of ratio `k`, its major axis over the domain direction `along`. Domain directions
-// `along` and `across` are perpendicular and of length 1 on the surface.
+// The pull-back of the ellipse with half axes of ratio `k`, its major axis over the domain direction `along`. Domain
+// directions `along` and `across` are perpendicular and of length 1 on the surface.
 Tensor pull_back(const Vector_2& along, const Vector_2& across, double k)
 {
   // M = A^-T diag(1/k, k) A^-1 for the matrix A of the two columns

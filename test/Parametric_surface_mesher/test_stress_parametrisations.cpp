@@ -245,8 +245,9 @@ std::string name_of(const Wild_case& c)
 class Parametrisations : public testing::TestWithParam<Wild_case>
 {};
 
-// The number of triangles is bounded by a multiple of that of equilateral ones, of edges as long as the curvature of lines that
-// are straight in the domain allows. (Near singular points that has no bound, and the midpoint rule does not see all of it.)
+// The number of triangles is bounded by a multiple of that of equilateral ones, of edges as long as the curvature of lines
+// that are straight in the domain allows. (Near singular points that has no bound, and the midpoint rule does not see all
+// of it.)
 void check_wild(const Wild_case& c, double size)
 {
   const Surface_integrals integrals = c.integrals();

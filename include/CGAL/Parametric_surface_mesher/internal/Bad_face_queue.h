@@ -22,8 +22,9 @@ enum class Urgency
 };
 
 /*
-Bad faces, by urgency, then worst first: buckets of similar badness (half octaves, as badness is a squared ratio), last in first out
-inside a bucket, which keeps neighbouring faces together in memory. An entry whose face has changed since is skipped.
+Bad faces, by urgency, then worst first: buckets of similar badness (half octaves, as badness is a squared ratio), last in
+first out inside a bucket, which keeps neighbouring faces together in memory. An entry whose face has changed since is
+skipped.
 */
 template <class Face_handle>
 class Bad_face_queue

@@ -66,8 +66,8 @@ Point_2 place_in_domain(const Charted_surface_3<Surface>& surface, const Point_2
   return surface.chart().domain_point(z);
 }
 
-// The middle of an edge in the domain, in the coordinates of the chart. Of a pole, a whole side of the domain, the point opposite to the
-// other end counts.
+// The middle of an edge in the domain, in the coordinates of the chart. Of a pole, a whole side of the domain, the point
+// opposite to the other end counts.
 template <class Surface, class Point_2>
 Point_2 domain_middle(const Charted_surface_3<Surface>& surface, const Point_2& p, const Point_2& q)
 {

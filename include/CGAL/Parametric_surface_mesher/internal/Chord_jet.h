@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Whether first derivatives change, within the surface, by as much as they are over a length in space. (A large deviation ratio allows edges
-// along which those of a regular surface do: then it takes more.)
+// Whether first derivatives change, within the surface, by as much as they are over a length in space. (A large deviation
+// ratio allows edges along which those of a regular surface do: then it takes more.)
 template <class Kernel>
 bool changes_within(const Surface_jet_3<Kernel>& jet, double length, double gamma)
 {
@@ -35,7 +35,8 @@ bool changes_within(const Surface_jet_3<Kernel>& jet, double length, double gamm
 }
 
 // First derivatives tell nothing about the distances between the points of a mesh where they change by as much as they are
-// within one edge: where the parametrisation is singular, or nearly. There the slopes of chords as long as an edge replace them.
+// within one edge: where the parametrisation is singular, or nearly. There the slopes of chords as long as an edge replace
+// them.
 template <class Surface>
 class Chord_jet
 {
@@ -64,8 +65,8 @@ public:
   }
 
 private:
-  // From short chords to longer ones, to the first that is long enough. (From long to short ones a surface that closes on itself
-  // would mislead: its longest chords have no length.)
+  // From short chords to longer ones, to the first that is long enough. (From long to short ones a surface that closes on
+  // itself would mislead: its longest chords have no length.)
   Vector_3 slope(const Point_2& uv, const Vector_2& direction, const Vector_3& derivative, double longest_step,
                  double length) const
   {

@@ -17,9 +17,10 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A chord is an inner edge of a patch between two boundary vertices. Where patches are as narrow as their edges are long, two
-// of them (or one, across its seam) can have chords between the same two vertices, and the mesh would not be manifold. So it is
-// with an inner vertex that is joined to two copies of a vertex on a seam. The first such edge stays; others are split in the middle.
+// A chord is an inner edge of a patch between two boundary vertices. Where patches are as narrow as their edges are long,
+// two of them (or one, across its seam) can have chords between the same two vertices, and the mesh would not be manifold.
+// So it is with an inner vertex that is joined to two copies of a vertex on a seam. The first such edge stays; others are
+// split in the middle.
 template <class Evaluator>
 class Chord_splitter
 {

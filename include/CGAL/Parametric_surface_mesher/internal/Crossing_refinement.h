@@ -18,8 +18,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Boundary curves may keep apart although the straight segments between the points of their division cross or touch. Such pieces
-// are halved, for all faces that use the edge, until no segments cross; if halving does not help, the curves cross and are refused.
+// Boundary curves may keep apart although the straight segments between the points of their division cross or touch. Such
+// pieces are halved, for all faces that use the edge, until no segments cross; if halving does not help, the curves cross
+// and are refused.
 template <class Oracle>
 class Crossing_refinement
 {

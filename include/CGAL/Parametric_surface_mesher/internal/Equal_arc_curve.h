@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Two curves on surfaces that are one curve in space, but run through it with different speeds. Points correspond that have the same share
-// of the length before them.
+// Two curves on surfaces that are one curve in space, but run through it with different speeds. Points correspond that
+// have the same share of the length before them.
 template <class Surface>
 class Equal_arc_curve
 {
@@ -63,8 +63,8 @@ public:
     return true;
   }
 
-  // The second curve with the parameters of the first. (Its second derivative is not known, and not needed: an edge is measured on its
-  // first use.)
+  // The second curve with the parameters of the first. (Its second derivative is not known, and not needed: an edge is
+  // measured on its first use.)
   Curve reparametrized() const
   {
     const auto jet = [first = m_first, second = m_second](double t) {

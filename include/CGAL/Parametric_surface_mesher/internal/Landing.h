@@ -9,8 +9,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// How far a point of the surface is from where a face was to have it: a point of the face's plane, given by barycentric coordinates.
-// The affine map of the face tells how to correct its place in the domain: a Newton step with the slopes of the face's chords.
+// How far a point of the surface is from where a face was to have it: a point of the face's plane, given by barycentric
+// coordinates. The affine map of the face tells how to correct its place in the domain: a Newton step with the slopes of
+// the face's chords.
 template <class Kernel>
 class Landing
 {

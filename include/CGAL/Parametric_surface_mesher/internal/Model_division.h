@@ -24,7 +24,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The edges of a model, each divided once: its curve in space, or that on the first face that uses it, with the sizes of all faces that do.
+// The edges of a model, each divided once: its curve in space, or that on the first face that uses it, with the sizes of
+// all faces that do.
 template <class Oracle>
 class Model_division
 {
@@ -215,7 +216,8 @@ public:
   }
 
 private:
-  // A loop has three edges at least, no two edges of the mesh have the same ends, and an edge where pieces are separated has an inner point.
+  // A loop has three edges at least, no two edges of the mesh have the same ends, and an edge where pieces are separated
+  // has an inner point.
   std::vector<std::size_t> least_numbers_of_pieces() const
   {
     std::vector<std::size_t> result(m_divisions.size(), 1);

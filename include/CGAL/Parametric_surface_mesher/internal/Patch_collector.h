@@ -44,7 +44,8 @@ public:
     : m_triangulation(triangulation), m_chart(chart), m_mesh(mesh), m_report(report)
   {}
 
-  // To be called for a patch with a chart: on the way through the chart the domain points of boundary vertices would be rounded.
+  // To be called for a patch with a chart: on the way through the chart the domain points of boundary vertices would be
+  // rounded.
   void set_domain_points(const std::vector<Vertex_handle>& vertices, const Boundary_loops<Kernel>& loops)
   {
     auto vertex = vertices.begin();

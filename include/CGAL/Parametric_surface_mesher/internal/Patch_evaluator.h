@@ -106,8 +106,8 @@ private:
     return m.is_positive_definite() && m.determinant() > 1e-14 * m.trace() * m.trace();
   }
 
-  // Where the parametrisation is singular and chords do not help, the tensor is not positive definite. A small multiple of the identity
-  // makes it so; at a point where all derivatives vanish it is the identity.
+  // Where the parametrisation is singular and chords do not help, the tensor is not positive definite. A small multiple of
+  // the identity makes it so; at a point where all derivatives vanish it is the identity.
   static Metric_tensor_2 regularized(const Metric_tensor_2& m)
   {
     const double size = m.trace() > 1e-90 ? 1e-6 * m.trace() : 1e-100;

@@ -160,8 +160,8 @@ private:
     return insert_alternative(face, measures, squared_distance);
   }
 
-  // The point of the face with these barycentric coordinates. Where the parametrisation changes its speed within the face, its affine
-  // map is corrected by where points land.
+  // The point of the face with these barycentric coordinates. Where the parametrisation changes its speed within the face,
+  // its affine map is corrected by where points land.
   bool is_in_domain(Face_handle face, const Weights& weights, double squared_circumradius, Candidate& candidate)
   {
     if(!is_in_domain(face, Point_placement<Kernel>::barycentric(face, weights), candidate))
@@ -180,9 +180,9 @@ private:
     return true;
   }
 
-  // How far from other vertices a point for a bad face must be: 0.7 of its shortest edge (measured against the spacing of its
-  // vertices instead, up to 2 % of the triangles of a steep peak stay below 30 degrees), or of its circumradius, since a large
-  // equilateral triangle has its centre closer than its vertices are to each other.
+  // How far from other vertices a point for a bad face must be: 0.7 of its shortest edge (measured against the spacing of
+  // its vertices instead, up to 2 % of the triangles of a steep peak stay below 30 degrees), or of its circumradius, since
+  // a large equilateral triangle has its centre closer than its vertices are to each other.
   static double squared_distance_by_shape(const Face_measures& measures)
   {
     const double shortest = *std::min_element(measures.squared_lengths.begin(), measures.squared_lengths.end());
@@ -321,9 +321,9 @@ private:
     }
   }
 
-  // Paper, eq. (2), the mean of the spacing of the neighbours weighted by their inverse distances, as an integral along the star
-  // polygon: each neighbour also weighs as the polygon's edges beside it are long. Otherwise many close neighbours on a finely
-  // divided curve outweigh all others, and the mesh never coarsens away from it.
+  // Paper, eq. (2), the mean of the spacing of the neighbours weighted by their inverse distances, as an integral along
+  // the star polygon: each neighbour also weighs as the polygon's edges beside it are long. Otherwise many close
+  // neighbours on a finely divided curve outweigh all others, and the mesh never coarsens away from it.
   double spacing_of_star(Vertex_handle vertex) const
   {
     const std::vector<Face_handle>& star = m_insertion.star();

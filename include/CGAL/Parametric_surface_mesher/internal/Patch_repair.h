@@ -18,9 +18,9 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 /*
-What insertion of points could not make good: edges of bad faces are flipped and their inner vertices moved, where that raises the
-smallest angle around and makes no face too large or too far from the surface. The boundary stays. Most bad faces lie beside it,
-where a vertex is a little off the one place that suits its neighbours.
+What insertion of points could not make good: edges of bad faces are flipped and their inner vertices moved, where that
+raises the smallest angle around and makes no face too large or too far from the surface. The boundary stays. Most bad
+faces lie beside it, where a vertex is a little off the one place that suits its neighbours.
 */
 template <class Evaluator, class IsBad>
 class Patch_repair
@@ -45,8 +45,8 @@ public:
     : m_triangulation(triangulation), m_evaluate(evaluate), m_is_bad(is_bad)
   {}
 
-  // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more than can be,
-  // bad faces are many and improvement would take longer than refinement: some are left as they are.
+  // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more
+  // than can be, bad faces are many and improvement would take longer than refinement: some are left as they are.
   void operator()()
   {
     std::size_t attempts_left = 1000 + m_triangulation.number_of_faces() / 20;

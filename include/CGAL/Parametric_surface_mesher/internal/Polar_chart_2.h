@@ -29,10 +29,12 @@ struct Collapsed_side
 Coordinates in which a patch with poles is regular. A pole is a whole side of the domain: close to it the metric tensor
 degenerates and the affine map of a triangle means nothing. In the plane of complex numbers z,
 - with one pole, z = r e^(i theta): polar coordinates, the pole at the origin;
-- with two opposite poles, E = r/(1-r) e^(i theta) goes from one pole at 0 to the other at infinity, and z = (E-1)/(E+1) brings that
+- with two opposite poles, E = r/(1-r) e^(i theta) goes from one pole at 0 to the other at infinity, and z = (E-1)/(E+1)
+  brings that
   to 1: as a sphere is mapped by stereographic projection.
-Here r is the coordinate across the collapsed side, from 0 to 1 over the extent of the domain, and theta, proportional to the coordinate along it, sweeps
-over the angle that the pole has in space, but at most over 270 degrees, so that the ends of a full turn stay apart.
+Here r is the coordinate across the collapsed side, from 0 to 1 over the extent of the domain, and theta, proportional to
+the coordinate along it, sweeps over the angle that the pole has in space, but at most over 270 degrees, so that the ends
+of a full turn stay apart.
 
 Without poles the chart is the identity.
 */

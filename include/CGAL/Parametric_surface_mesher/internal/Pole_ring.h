@@ -18,8 +18,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The first inner points of a patch with poles: around each pole, between its neighbours on the boundary, so that triangles of equal
-// angles of about 60 degrees meet there. Around the apex of a pointed cone only a few have room, and refinement rarely finds them.
+// The first inner points of a patch with poles: around each pole, between its neighbours on the boundary, so that
+// triangles of equal angles of about 60 degrees meet there. Around the apex of a pointed cone only a few have room, and
+// refinement rarely finds them.
 template <class Evaluator>
 class Pole_ring
 {

@@ -58,8 +58,8 @@ public:
   }
 
 private:
-  // A chord of length L has deviation ratio H/L = L kappa / 8 and arc height L^2 kappa / 8. The factor 7 in place of 8 leaves
-  // room for edges longer than the spacing; measured on a steep peak, it saves most of the splits by deviation.
+  // A chord of length L has deviation ratio H/L = L kappa / 8 and arc height L^2 kappa / 8. The factor 7 in place of 8
+  // leaves room for edges longer than the spacing; measured on a steep peak, it saves most of the splits by deviation.
   double limit_for(double curvature) const
   {
     double limit = m_criteria.max_edge();
@@ -70,8 +70,8 @@ private:
     return limit;
   }
 
-  // Close to where the parametrisation is singular the lines bend more and more, although the surface does not. Their curvature counts
-  // only if it is much the same over the length that it asks for.
+  // Close to where the parametrisation is singular the lines bend more and more, although the surface does not. Their
+  // curvature counts only if it is much the same over the length that it asks for.
   bool is_steady(const Point_2& uv, const Surface_jet_3<Kernel>& jet, double line_limit) const
   {
     const double du = 0.75 * line_limit / std::sqrt(jet.du.squared_length()),

@@ -79,8 +79,8 @@ private:
         visit(opposite(m_halfedges[side], m_mesh));
   }
 
-  // The next border halfedge is found by turning around the target, through the triangles there: pieces that touch in a vertex
-  // keep borders of their own.
+  // The next border halfedge is found by turning around the target, through the triangles there: pieces that touch in a
+  // vertex keep borders of their own.
   void connect_border(halfedge_descriptor h)
   {
     halfedge_descriptor next_border = opposite(h, m_mesh);

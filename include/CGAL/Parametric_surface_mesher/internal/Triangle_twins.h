@@ -15,7 +15,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Which sides of indexed triangles are opposite to each other. Side `3 f + k` runs from corner `k` of triangle `f` to the next one.
+// Which sides of indexed triangles are opposite to each other. Side `3 f + k` runs from corner `k` of triangle `f` to the
+// next one.
 class Triangle_twins
 {
   typedef std::vector<std::array<std::size_t, 3>> Triangles;

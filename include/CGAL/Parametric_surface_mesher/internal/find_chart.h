@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Finds the chart for a patch: by its collapsed sides, if they are straight along `u` or `v` and either there is one or there are two
-// opposite ones. Otherwise it is the identity.
+// Finds the chart for a patch: by its collapsed sides, if they are straight along `u` or `v` and either there is one or
+// there are two opposite ones. Otherwise it is the identity.
 template <class Surface>
 class Chart_finder
 {

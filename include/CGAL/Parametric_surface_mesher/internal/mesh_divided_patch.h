@@ -50,8 +50,8 @@ Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
   return result;
 }
 
-// From the divided boundary of a patch to its triangles, which are appended to `mesh`: triangulation, refinement, improvement, output.
-// A patch with poles is meshed in the coordinates of a chart.
+// From the divided boundary of a patch to its triangles, which are appended to `mesh`: triangulation, refinement,
+// improvement, output. A patch with poles is meshed in the coordinates of a chart.
 // `chords`: what joins boundary vertices of the patch's shell.
 // \pre the boundary vertices are in `mesh` already, and no segments of the loops cross
 template <class Oracle, class Criteria, class Visitor>

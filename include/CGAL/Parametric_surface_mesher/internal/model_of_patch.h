@@ -62,8 +62,8 @@ void close_loops(Parametric_domain_2<Kernel>& domain)
   }
 }
 
-// Makes a model of one face from a patch: each curve of the domain is an edge, in the order of loops and curves. Curves that begin at the
-// same point of the domain have a common vertex, and a curve that is a point in space is collapsed.
+// Makes a model of one face from a patch: each curve of the domain is an edge, in the order of loops and curves. Curves
+// that begin at the same point of the domain have a common vertex, and a curve that is a point in space is collapsed.
 template <class Surface>
 class Patch_model_maker
 {

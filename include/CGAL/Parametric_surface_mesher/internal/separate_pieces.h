@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Makes a mesh manifold where several pieces of it meet in a vertex: each gets a copy of its own. Triangles are of one piece if they
-// have a common edge, run through it in opposite directions, and no third triangle of their shell has it.
+// Makes a mesh manifold where several pieces of it meet in a vertex: each gets a copy of its own. Triangles are of one
+// piece if they have a common edge, run through it in opposite directions, and no third triangle of their shell has it.
 template <class Kernel>
 class Piece_separator
 {

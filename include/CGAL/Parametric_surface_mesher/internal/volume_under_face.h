@@ -25,9 +25,9 @@ double integral(Function function, double a, double b, int number_of_parts)
   return sum;
 }
 
-// The signed volume between a face of a model and a point: summed over a closed surface, what it encloses. The integral over the domain
-// of S (S_u x S_v) / 3 is taken along the loops, by Green's theorem. For the sign of the volume in few faces four parts of each curve are good enough, and in
-// many faces one.
+// The signed volume between a face of a model and a point: summed over a closed surface, what it encloses. The integral
+// over the domain of S (S_u x S_v) / 3 is taken along the loops, by Green's theorem. For the sign of the volume in few
+// faces four parts of each curve are good enough, and in many faces one.
 template <class Face, class Point_3>
 double volume_under_face(const Face& face, const Point_3& origin, int number_of_parts)
 {
