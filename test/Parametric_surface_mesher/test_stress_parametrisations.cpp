@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <functional>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -404,4 +405,39 @@ TEST(Creases, flat_spline_of_degree_1)
   expect_positive_orientation(m);
   EXPECT_NEAR(1, m.area, 1e-9);
   EXPECT_LE(m.triangles.size(), 3 * number_of_equilateral_triangles(1, 0.1));
+}
+
+// A surface that is defined on a disc only, and may not be asked outside the box around it.
+class Bowl
+{
+public:
+  typedef Test_kernel Geom_traits;
+
+  static constexpr double radius = 0.95;
+
+  Point_3 point(double u, double v) const { return jet(u, v).point; }
+
+  CGAL::Surface_jet_3<Test_kernel> jet(double u, double v) const
+  {
+    if(std::max(std::fabs(u), std::fabs(v)) > radius * (1 + 1e-12))
+      throw std::logic_error("evaluated outside the box of the domain");
+    return CGAL::make_parametric_function_surface<Test_kernel>([](auto x, auto y) {
+      using std::sqrt;
+      const auto w = x * x * x;
+      return CGAL::parametric_surface_point(w, y, -sqrt(1 - w * w - y * y)); // not a number in the corners of the box
+    }).jet(u, v);
+  }
+};
+
+TEST(Domains, nothing_outside_their_box_is_evaluated)
+{
+  const Domain disc({Curve::circle(Point_2(0, 0), Bowl::radius)});
+  for(double max_edge : {10., 0.1}) {
+    Mesh mesh;
+    const Report report = add_patch(Bowl(), disc, Criteria().set_max_edge(max_edge), mesh);
+    EXPECT_GT(report.number_of_replaced_tensors, 0u);
+    EXPECT_TRUE(mesh.is_valid());
+    EXPECT_EQ(0u, number_of_inverted_faces(mesh));
+    EXPECT_LT(report.number_of_faces, 20000u);
+  }
 }

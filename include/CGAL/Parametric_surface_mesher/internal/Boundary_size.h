@@ -82,7 +82,7 @@ class Boundary_size
 public:
   // no point outside `box` is evaluated
   Boundary_size(const Oracle& oracle, const Parametric_surface_mesh_criteria& criteria, const Bbox_2& box)
-    : m_oracle(oracle), m_limit(oracle, criteria), m_box(box)
+    : m_oracle(oracle), m_limit(oracle, criteria, box), m_box(box)
   {}
 
   const Bbox_2& box() const { return m_box; }

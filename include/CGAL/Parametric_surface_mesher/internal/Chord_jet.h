@@ -71,10 +71,13 @@ private:
                  double length) const
   {
     double step = (std::min)(0.5 * length / std::sqrt(derivative.squared_length()), smallest_share * longest_step);
+    step = (std::max)(step, 1e-9 * longest_step); // above the rounding errors of the domain's points
     for(;; step *= 1.6) {
       step = (std::min)(step, longest_step);
       const Point_2 p = in_box(uv - step * direction), q = in_box(uv + step * direction);
       const Vector_3 chord = m_surface.point(q.x(), q.y()) - m_surface.point(p.x(), p.y());
+      if(!std::isfinite(chord.squared_length())) // outside the loops the surface need not be defined
+        return derivative;
       if(step == longest_step || chord.squared_length() > 0.36 * length * length)
         return chord / ((q - p) * direction);
     }

@@ -49,7 +49,10 @@ private:
 public:
   // `box`: of the patch, in the coordinates that it is meshed in
   Patch_evaluator(const Oracle& oracle, const Parametric_surface_mesh_criteria& criteria, const Bbox_2& box)
-    : m_oracle(oracle), m_spacing_limit(oracle, criteria), m_chord_jet(oracle.surface(), box), m_gamma(criteria.gamma())
+    : m_oracle(oracle),
+      // in a chart the lines of the domain count, and `box` is not theirs
+      m_spacing_limit(oracle, criteria, oracle.surface().chart().is_identity() ? box : Bbox_2()),
+      m_chord_jet(oracle.surface(), box), m_gamma(criteria.gamma())
   {}
 
   const Oracle& oracle() const { return m_oracle; }
@@ -107,7 +110,7 @@ private:
   }
 
   // Where the parametrisation is singular and chords do not help, the tensor is not positive definite. A small multiple of
-  // the identity makes it so; at a point where all derivatives vanish it is the identity.
+  // the identity makes it so, and at a point where all derivatives vanish replaces it.
   static Metric_tensor_2 regularized(const Metric_tensor_2& m)
   {
     const double size = m.trace() > 1e-90 ? 1e-6 * m.trace() : 1e-100;

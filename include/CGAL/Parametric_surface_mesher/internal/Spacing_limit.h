@@ -3,6 +3,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SPACING_LIMIT_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SPACING_LIMIT_H
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/describe.h>
@@ -30,10 +31,12 @@ class Spacing_limit
 
   const Oracle& m_oracle;
   const Parametric_surface_mesh_criteria& m_criteria;
+  Bbox_2 m_box;
 
 public:
-  Spacing_limit(const Oracle& oracle, const Parametric_surface_mesh_criteria& criteria)
-    : m_oracle(oracle), m_criteria(criteria)
+  // no point outside `box` is evaluated; if it is empty the curvature of lines always counts
+  Spacing_limit(const Oracle& oracle, const Parametric_surface_mesh_criteria& criteria, const Bbox_2& box)
+    : m_oracle(oracle), m_criteria(criteria), m_box(box)
   {}
 
   double operator()(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
@@ -76,8 +79,12 @@ private:
   {
     const double du = 0.75 * line_limit / std::sqrt(jet.du.squared_length()),
                  dv = 0.75 * line_limit / std::sqrt(jet.dv.squared_length());
+    if(m_box.xmin() > m_box.xmax())
+      return true;
     for(const auto& step : {std::make_pair(du, 0.), std::make_pair(-du, 0.), std::make_pair(0., dv), std::make_pair(0., -dv)}) {
-      const Surface_jet_3<Kernel> other = m_oracle.surface().jet(uv.x() + step.first, uv.y() + step.second);
+      const double u = (std::min)((std::max)(uv.x() + step.first, m_box.xmin()), m_box.xmax()),
+                   v = (std::min)((std::max)(uv.y() + step.second, m_box.ymin()), m_box.ymax());
+      const Surface_jet_3<Kernel> other = m_oracle.surface().jet(u, v);
       const double other_limit = limit_for(largest_line_curvature(other));
       if(!(other_limit < 1.6 * line_limit && line_limit < 1.6 * other_limit))
         return false;
