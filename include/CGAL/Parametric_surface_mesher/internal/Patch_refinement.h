@@ -6,14 +6,11 @@
 #include <CGAL/Mesh_2/Face_badness.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/Bad_face_queue.h>
-#include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
+#include <CGAL/Parametric_surface_mesher/internal/Inner_points.h>
 #include <CGAL/Parametric_surface_mesher/internal/Landing.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Point_placement.h>
-#include <CGAL/Parametric_surface_mesher/internal/Star_of_point.h>
-#include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,21 +37,14 @@ private:
   typedef typename Triangulation::Face_handle Face_handle;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Kernel::Point_2 Point_2;
-  typedef typename Evaluator::Evaluated Evaluated;
-  typedef internal::Location<Triangulation> Location;
-
+  typedef internal::Inner_points<Evaluator> Inner_points;
+  typedef typename Inner_points::Location Location;
+  typedef typename Inner_points::Candidate Candidate;
   typedef typename Point_placement<Kernel>::Weights Weights;
 
   static constexpr double fraction_of_spacing = 0.15;
   static constexpr double tolerated_squared_error = 0.04; // of a point's place, by the circumradius
   static const int max_number_of_corrections = 4;
-
-  // a position that has been looked at
-  struct Candidate
-  {
-    Location location;
-    Evaluated evaluated;
-  };
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
@@ -62,18 +52,16 @@ private:
   Visitor& m_visitor;
   Is_bad m_is_bad;
   Bad_face_queue<Face_handle> m_queue;
-  Vertex_insertion<Triangulation> m_insertion;
-  Star_of_point<Triangulation> m_star;
+  Inner_points m_points;
   std::vector<Point_2> m_positions;
   double m_squared_min_distance;
-  std::size_t m_number_of_replaced_tensors = 0;
   bool m_is_stopped = false;
 
 public:
   Patch_refinement(Triangulation& triangulation, const Evaluator& evaluate, const Criteria& criteria, Visitor& visitor)
     : m_triangulation(triangulation), m_evaluate(evaluate), m_criteria(criteria), m_visitor(visitor),
-      m_is_bad(criteria.is_bad_object(evaluate.oracle())), m_insertion(triangulation),
-      m_star(triangulation), m_squared_min_distance(criteria.min_edge() * criteria.min_edge())
+      m_is_bad(criteria.is_bad_object(evaluate.oracle())), m_points(triangulation, evaluate),
+      m_squared_min_distance(criteria.min_edge() * criteria.min_edge())
   {}
 
   void operator()()
@@ -110,7 +98,7 @@ public:
              : Unmet_cause::NO_BETTER_POINT;
   }
 
-  std::size_t number_of_replaced_tensors() const { return m_number_of_replaced_tensors; }
+  std::size_t number_of_replaced_tensors() const { return m_points.number_of_replaced_tensors(); }
 
 private:
   bool is_full() const { return m_triangulation.number_of_vertices() >= m_criteria.max_number_of_vertices(); }
@@ -147,14 +135,14 @@ private:
     const double squared_distance = required_squared_distance(face, measures);
     Candidate candidate;
     m_positions.clear();
-    if(is_in_domain(face, Point_placement<Kernel>::circumcenter_weights(measures), measures.squared_circumradius, candidate)
-       && is_far_enough(candidate, squared_distance)) {
-      if(is_near_boundary(candidate) && encroaches(candidate))
+    if(locate(face, Point_placement<Kernel>::circumcenter_weights(measures), measures.squared_circumradius, candidate)
+       && m_points.is_far_enough(candidate, squared_distance)) {
+      if(Inner_points::is_near_boundary(candidate) && encroaches(candidate))
         return insert_alternative(face, measures, squared_distance);
       insert(candidate);
       return true;
     }
-    if(!is_near_boundary(candidate))
+    if(!Inner_points::is_near_boundary(candidate))
       return insert_alternative(face, measures, squared_distance);
     append_apices(candidate.location);
     return insert_alternative(face, measures, squared_distance);
@@ -162,9 +150,9 @@ private:
 
   // The point of the face with these barycentric coordinates. Where the parametrisation changes its speed within the face,
   // its affine map is corrected by where points land.
-  bool is_in_domain(Face_handle face, const Weights& weights, double squared_circumradius, Candidate& candidate)
+  bool locate(Face_handle face, const Weights& weights, double squared_circumradius, Candidate& candidate)
   {
-    if(!is_in_domain(face, Point_placement<Kernel>::barycentric(face, weights), candidate))
+    if(!m_points.locate(face, Point_placement<Kernel>::barycentric(face, weights), candidate))
       return false;
     const Landing<Kernel> landing(face, weights);
     for(int step = 0; step < max_number_of_corrections; ++step) {
@@ -172,7 +160,7 @@ private:
       if(!(squared_error > tolerated_squared_error * squared_circumradius))
         break;
       Candidate corrected;
-      if(!is_in_domain(candidate.location.face, landing.corrected(candidate.evaluated.point), corrected)
+      if(!m_points.locate(candidate.location.face, landing.corrected(candidate.evaluated.point), corrected)
          || !(landing.squared_error(corrected.evaluated.point) < 0.7 * squared_error))
         break;
       candidate = corrected;
@@ -202,52 +190,16 @@ private:
     return required;
   }
 
-  bool is_in_domain(Face_handle from, const Point_2& uv, Candidate& candidate)
-  {
-    candidate.location = walk_in_domain(m_triangulation, from, uv);
-    if(candidate.location.kind != Location::IN_FACE && candidate.location.kind != Location::ON_EDGE)
-      return false;
-    if(candidate.location.kind == Location::ON_EDGE
-       && candidate.location.face->is_constrained(candidate.location.index))
-      return false;
-    const Face_handle face = candidate.location.face;
-    candidate.evaluated = m_evaluate(uv, (face->vertex(0)->spacing() + face->vertex(1)->spacing() + face->vertex(2)->spacing()) / 3);
-    return true;
-  }
-
-  // no closer to a vertex of the face that holds it than the distance
-  bool is_far_enough(const Candidate& candidate, double squared_distance) const
-  {
-    for(int i = 0; i < 3; ++i)
-      if(m_evaluate.oracle().metric().squared_length(candidate.location.face->vertex(i)->point(), candidate.evaluated.point)
-         < squared_distance)
-        return false;
-    return true;
-  }
-
-  static bool is_near_boundary(const Candidate& candidate)
-  {
-    const Face_handle face = candidate.location.face;
-    for(int i = 0; i < 3; ++i)
-      if(face->vertex(i)->is_on_boundary())
-        return true;
-    return false;
-  }
-
-  // Whether the point sees a constrained edge under an obtuse angle, from within the lens where the triangle with that edge
-  // would have angles below 30 degrees. The apices over such edges become positions to try.
+  // Whether the point is too close to edges of the boundary. The apices over these become positions to try.
   bool encroaches(const Candidate& candidate)
   {
     bool result = false;
-    for(const auto& edge : m_star.compute(candidate.evaluated.point, candidate.location.face)) {
+    for(const auto& edge : m_points.star_of(candidate)) {
       if(!edge.first->is_constrained(edge.second))
         continue;
       const auto &p = edge.first->vertex((edge.second + 1) % 3)->point(),
                  &q = edge.first->vertex((edge.second + 2) % 3)->point();
-      const double a = m_evaluate.oracle().metric().squared_length(p, candidate.evaluated.point),
-                   b = m_evaluate.oracle().metric().squared_length(q, candidate.evaluated.point),
-                   c = m_evaluate.oracle().metric().squared_length(p, q);
-      if(a + b + std::sqrt(a * b) < c) {
+      if(m_points.encroaches(candidate, p, q)) {
         Point_placement<Kernel>::append_apices(p, q, m_positions);
         result = true;
       }
@@ -269,7 +221,7 @@ private:
     double best_sine = measures.squared_smallest_sine;
     bool is_found = false;
     const auto consider = [&](const Candidate& candidate) {
-      if(!is_far_enough(candidate, squared_distance))
+      if(!m_points.is_far_enough(candidate, squared_distance))
         return;
       const double sine = smallest_sine_of_star(candidate);
       if(sine > best_sine) {
@@ -280,10 +232,10 @@ private:
     };
     Candidate candidate;
     for(const Point_2& position : m_positions)
-      if(is_in_domain(face, position, candidate))
+      if(m_points.locate(face, position, candidate))
         consider(candidate);
     for(const Weights& weights : Point_placement<Kernel>::alternatives(measures))
-      if(is_in_domain(face, weights, measures.squared_circumradius, candidate))
+      if(locate(face, weights, measures.squared_circumradius, candidate))
         consider(candidate);
     if(is_found)
       insert(best);
@@ -293,7 +245,7 @@ private:
   double smallest_sine_of_star(const Candidate& candidate)
   {
     double smallest = 1;
-    for(const auto& edge : m_star.compute(candidate.evaluated.point, candidate.location.face)) {
+    for(const auto& edge : m_points.star_of(candidate)) {
       const auto &p = edge.first->vertex((edge.second + 1) % 3)->point(),
                  &q = edge.first->vertex((edge.second + 2) % 3)->point();
       const auto& metric = m_evaluate.oracle().metric();
@@ -307,44 +259,13 @@ private:
 
   void insert(const Candidate& candidate)
   {
-    const Vertex_handle vertex = candidate.location.kind == Location::IN_FACE
-                                   ? m_insertion.insert_in_face(candidate.evaluated.point, candidate.location.face)
-                                   : m_insertion.insert_in_edge(candidate.evaluated.point, candidate.location.face,
-                                                                candidate.location.index);
-    m_number_of_replaced_tensors += candidate.evaluated.is_tensor_replaced;
-    vertex->set_spacing((std::min)(spacing_of_star(vertex), candidate.evaluated.spacing_limit));
-    for(Face_handle face : m_insertion.star()) {
+    const Vertex_handle vertex = m_points.insert(candidate);
+    for(Face_handle face : m_points.star()) {
       examine(face);
       const Face_handle across = face->neighbor(face->index(vertex));
       if(across->state() == Face_state::BLOCKED)
         examine(across);
     }
-  }
-
-  // Paper, eq. (2), the mean of the spacing of the neighbours weighted by their inverse distances, as an integral along
-  // the star polygon: each neighbour also weighs as the polygon's edges beside it are long. Otherwise many close
-  // neighbours on a finely divided curve outweigh all others, and the mesh never coarsens away from it.
-  double spacing_of_star(Vertex_handle vertex) const
-  {
-    const std::vector<Face_handle>& star = m_insertion.star();
-    double sum = 0, weights = 0;
-    double previous_edge = distance(left_of(star.back(), vertex), left_of(star.front(), vertex));
-    for(std::size_t i = 0; i < star.size(); ++i) {
-      const Vertex_handle neighbor = left_of(star[i], vertex), next = left_of(star[(i + 1) % star.size()], vertex);
-      const double edge = distance(neighbor, next);
-      const double weight = (previous_edge + edge) / distance(vertex, neighbor);
-      sum += weight * neighbor->spacing();
-      weights += weight;
-      previous_edge = edge;
-    }
-    return sum / weights;
-  }
-
-  static Vertex_handle left_of(Face_handle face, Vertex_handle vertex) { return face->vertex((face->index(vertex) + 1) % 3); }
-
-  double distance(Vertex_handle v, Vertex_handle w) const
-  {
-    return std::sqrt(m_evaluate.oracle().metric().squared_length(v->point(), w->point()));
   }
 };
 
