@@ -57,6 +57,23 @@ public:
     const Point_2& operator()(const Point_2& p) const { return p; }
   };
 
+  // That of `Kernel`, which takes its static filter for its own points only: for the derived ones it would go through
+  // interval arithmetic, at several times the cost.
+  class Orientation_2
+    : public Kernel::Orientation_2
+  {
+    typedef typename Kernel::Orientation_2 Base;
+    typedef typename Kernel::Point_2 Domain_point_2;
+
+  public:
+    typedef CGAL::Orientation result_type;
+
+    CGAL::Orientation operator()(const Domain_point_2& p, const Domain_point_2& q, const Domain_point_2& r) const
+    {
+      return Base::operator()(p, q, r);
+    }
+  };
+
   /// the exact in-ellipse predicate.
   class Side_of_oriented_circle_2
   {
@@ -77,6 +94,8 @@ public:
   };
 
   Construct_point_2 construct_point_2_object() const { return Construct_point_2(); }
+
+  Orientation_2 orientation_2_object() const { return Orientation_2(); }
 
   Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return Side_of_oriented_circle_2(); }
 

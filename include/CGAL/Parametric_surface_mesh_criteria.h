@@ -34,6 +34,15 @@ enum class Curve_deviation
   HEIGHT_OVER_RADIUS ///< `H/R`, arc height over the curvature radius at the middle
 };
 
+/// \ingroup PkgParametricSurfaceMesherRef
+/// where the refinement puts new points.
+enum class Mesh_point_placement
+{
+  CIRCUMCENTER, ///< at the centre of a bad triangle's circumellipse: the paper's
+  OFF_CENTER,   ///< nearer to the shortest edge of a bad triangle, where the new triangle has the wanted angle (\cgalCite{cgal:u-oc-04})
+  FRONTAL       ///< from the boundary inwards, so that triangles of the wanted size arise; circumcentres for what is left
+};
+
 /*!
 \ingroup PkgParametricSurfaceMesherRef
 
@@ -57,6 +66,9 @@ private:
   double m_size_factor = 0.28;
   std::size_t m_max_number_of_vertices = 20000000;
   Curve_deviation m_curve_deviation = Curve_deviation::HEIGHT_OVER_CHORD;
+  Mesh_point_placement m_placement = Mesh_point_placement::FRONTAL;
+  unsigned int m_max_number_of_sweeps = 2;
+  double m_improvement_angle = 40, m_improvement_time = std::numeric_limits<double>::infinity();
   Sizing_field m_sizing_field;
 
 public:
@@ -135,6 +147,40 @@ public:
     return *this;
   }
 
+  /// where new points are put. Default: `FRONTAL`, which gives the best triangles; `CIRCUMCENTER` is the fastest.
+  Parametric_surface_mesh_criteria& set_placement(Mesh_point_placement placement)
+  {
+    m_placement = placement;
+    return *this;
+  }
+
+  /// the largest number of sweeps in which inner vertices are moved to where the triangles around them are closest to
+  /// equilateral. Sweeps end when one moves few vertices. 0 for none. Default: 2.
+  Parametric_surface_mesh_criteria& set_max_number_of_sweeps(unsigned int n)
+  {
+    m_max_number_of_sweeps = n;
+    return *this;
+  }
+
+  /// the smallest angle, in degrees, that is aimed at after refinement, by moves and flips around the triangles below it.
+  /// It is no criterion: what misses it is not reported. 0 to improve only triangles that fail a criterion. Default: 40.
+  /// \pre `0 <= degrees < 60`
+  Parametric_surface_mesh_criteria& set_improvement_angle(double degrees)
+  {
+    CGAL_precondition(degrees >= 0 && degrees < 60);
+    m_improvement_angle = degrees;
+    return *this;
+  }
+
+  /// a limit of the processor time spent on improvement, in seconds, after which no sweep begins and no triangle is
+  /// improved; with it the mesh depends on the speed of the machine. Default: none. \pre `seconds >= 0`
+  Parametric_surface_mesh_criteria& set_improvement_time(double seconds)
+  {
+    CGAL_precondition(seconds >= 0);
+    m_improvement_time = seconds;
+    return *this;
+  }
+
   /// the last guard against a mesh too large for the machine: a limit on the vertices of each patch. Default: 20 million.
   Parametric_surface_mesh_criteria& set_max_number_of_vertices(std::size_t n)
   {
@@ -154,6 +200,10 @@ public:
   double distance() const { return m_distance; }
   const Sizing_field& sizing_field() const { return m_sizing_field; }
   Curve_deviation curve_deviation() const { return m_curve_deviation; }
+  Mesh_point_placement placement() const { return m_placement; }
+  unsigned int max_number_of_sweeps() const { return m_max_number_of_sweeps; }
+  double improvement_angle() const { return m_improvement_angle; }
+  double improvement_time() const { return m_improvement_time; }
   std::size_t max_number_of_vertices() const { return m_max_number_of_vertices; }
   /// @}
 
@@ -214,9 +264,9 @@ public:
       return quality.criterion == Mesh_criterion::ANGLE ? Mesh_2::BAD : Mesh_2::IMPERATIVELY_BAD;
     }
 
-    /// evaluates the triangle.
+    /// evaluates size and angle of the triangle alone.
     template <class Face_handle>
-    Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
+    Mesh_2::Face_badness is_bad_by_shape(Face_handle f, Quality& quality) const
     {
       using namespace Parametric_surface_mesher::internal;
       const Face_measures measures = face_measures(f, m_oracle.metric());
@@ -229,8 +279,17 @@ public:
         return Mesh_2::IMPERATIVELY_BAD;
       quality.criterion = Mesh_criterion::ANGLE;
       quality.badness = m_squared_sine / measures.squared_smallest_sine;
-      if(quality.badness > 1)
-        return Mesh_2::BAD;
+      return quality.badness > 1 ? Mesh_2::BAD : Mesh_2::NOT_BAD;
+    }
+
+    /// evaluates the triangle.
+    template <class Face_handle>
+    Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
+    {
+      using namespace Parametric_surface_mesher::internal;
+      const Mesh_2::Face_badness shape = is_bad_by_shape(f, quality);
+      if(shape != Mesh_2::NOT_BAD)
+        return shape;
       quality.criterion = Mesh_criterion::DEVIATION;
       quality.badness = squared_deviation(f, m_oracle, m_gamma, m_squared_divisible_edge) / m_squared_gamma;
       if(!(quality.badness > 1) && m_oracle.is_inverted(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()))

@@ -102,7 +102,7 @@ private:
     if(!is_inside(middle, face, i))
       return;
     const double spacing = 0.5 * (chord.first->spacing() + chord.second->spacing());
-    const Vertex_handle vertex = m_insertion.insert_in_edge(m_evaluate(middle, spacing).point, face, i);
+    const Vertex_handle vertex = m_insertion.insert_in_edge(m_evaluate.position(middle, spacing).point, face, i);
     vertex->set_spacing(spacing);
   }
 

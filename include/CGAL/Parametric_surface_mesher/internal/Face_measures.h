@@ -23,11 +23,22 @@ struct Face_measures
   double squared_smallest_sine; // of the smallest angle
 };
 
+// 16 times the squared area (Heron)
+inline double squared_area_16(const std::array<double, 3>& l)
+{
+  return 2 * (l[0] * l[1] + l[1] * l[2] + l[2] * l[0]) - (l[0] * l[0] + l[1] * l[1] + l[2] * l[2]);
+}
+
+inline double squared_circumradius(const std::array<double, 3>& l)
+{
+  const double area = squared_area_16(l);
+  return area > 0 ? l[0] * l[1] * l[2] / area : std::numeric_limits<double>::infinity();
+}
+
 inline Face_measures face_measures(const std::array<double, 3>& l)
 {
   const double product = l[0] * l[1] * l[2];
-  // 16 times the squared area (Heron)
-  const double area = 2 * (l[0] * l[1] + l[1] * l[2] + l[2] * l[0]) - (l[0] * l[0] + l[1] * l[1] + l[2] * l[2]);
+  const double area = squared_area_16(l);
   const double shortest = (std::min)({l[0], l[1], l[2]});
   if(area > 0)
     return {l, product / area, shortest * area / (4 * product)};
@@ -35,24 +46,43 @@ inline Face_measures face_measures(const std::array<double, 3>& l)
 }
 
 template <class Face_handle, class MetricField>
-Face_measures face_measures(Face_handle f, const MetricField& metric)
+std::array<double, 3> squared_lengths(Face_handle f, const MetricField& metric)
 {
   const auto &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
-  return face_measures({metric.squared_length(q, r), metric.squared_length(r, p), metric.squared_length(p, q)});
+  return {metric.squared_length(q, r), metric.squared_length(r, p), metric.squared_length(p, q)};
 }
 
-// The largest (H/L)^2 over the edges that are not constrained, and long enough to be divided.
+template <class Face_handle, class MetricField>
+Face_measures face_measures(Face_handle f, const MetricField& metric)
+{
+  return face_measures(squared_lengths(f, metric));
+}
+
+// Notes an edge as close to the surface, in both its faces.
+template <class Face_handle>
+void set_close(Face_handle f, int i)
+{
+  const Face_handle across = f->neighbor(i);
+  f->set_close(i);
+  across->set_close(across->index(f));
+}
+
+// The largest (H/L)^2 over the edges that are not constrained, and long enough to be divided. An edge below `gamma` is noted
+// in both its faces, and not evaluated again.
 template <class Face_handle, class Oracle>
 double squared_deviation(Face_handle f, const Oracle& oracle, double gamma, double squared_divisible_edge)
 {
   double worst = 0;
   for(int i = 0; i < 3; ++i) {
-    if(f->is_constrained(i))
+    if(f->is_constrained(i) || f->is_close(i))
       continue;
     const auto &p = f->vertex((i + 1) % 3)->point(), &q = f->vertex((i + 2) % 3)->point();
     const double squared_length = squared_distance(p.surface_point(), q.surface_point());
-    if(squared_length > squared_divisible_edge)
-      worst = (std::max)(worst, oracle.squared_height(p, q, gamma) / squared_length);
+    const double deviation
+      = squared_length > squared_divisible_edge ? oracle.squared_height(p, q, gamma) / squared_length : 0;
+    if(deviation <= gamma * gamma)
+      set_close(f, i);
+    worst = (std::max)(worst, deviation);
   }
   return worst;
 }

@@ -35,7 +35,7 @@ public:
   struct Candidate
   {
     Location location;
-    typename Evaluator::Evaluated evaluated;
+    typename Evaluator::Position position;
   };
 
 private:
@@ -64,7 +64,7 @@ public:
        && candidate.location.face->is_constrained(candidate.location.index))
       return false;
     const Face_handle face = candidate.location.face;
-    candidate.evaluated = m_evaluate(uv, (face->vertex(0)->spacing() + face->vertex(1)->spacing() + face->vertex(2)->spacing()) / 3);
+    candidate.position = m_evaluate.position(uv, (face->vertex(0)->spacing() + face->vertex(1)->spacing() + face->vertex(2)->spacing()) / 3);
     return true;
   }
 
@@ -72,7 +72,7 @@ public:
   bool is_far_enough(const Candidate& candidate, double squared_distance) const
   {
     for(int i = 0; i < 3; ++i)
-      if(squared_length(candidate.location.face->vertex(i)->point(), candidate.evaluated.point) < squared_distance)
+      if(squared_length(candidate.location.face->vertex(i)->point(), candidate.position.point) < squared_distance)
         return false;
     return true;
   }
@@ -89,14 +89,14 @@ public:
   // the edges of the star that the candidate would get
   const std::vector<typename Star_of_point<Triangulation>::Edge>& star_of(const Candidate& candidate)
   {
-    return m_star.compute(candidate.evaluated.point, candidate.location.face);
+    return m_star.compute(candidate.position.point, candidate.location.face);
   }
 
   // Whether the candidate sees this constrained edge under an angle above 120 degrees: from within the lens where the
   // triangle with that edge would have angles below 30 degrees.
   bool encroaches(const Candidate& candidate, const Point& p, const Point& q) const
   {
-    const double a = squared_length(p, candidate.evaluated.point), b = squared_length(q, candidate.evaluated.point);
+    const double a = squared_length(p, candidate.position.point), b = squared_length(q, candidate.position.point);
     return a + b + std::sqrt(a * b) < squared_length(p, q);
   }
 
@@ -104,11 +104,11 @@ public:
   Vertex_handle insert(const Candidate& candidate)
   {
     const Vertex_handle vertex = candidate.location.kind == Location::IN_FACE
-                                   ? m_insertion.insert_in_face(candidate.evaluated.point, candidate.location.face)
-                                   : m_insertion.insert_in_edge(candidate.evaluated.point, candidate.location.face,
+                                   ? m_insertion.insert_in_face(candidate.position.point, candidate.location.face)
+                                   : m_insertion.insert_in_edge(candidate.position.point, candidate.location.face,
                                                                 candidate.location.index);
-    m_number_of_replaced_tensors += candidate.evaluated.is_tensor_replaced;
-    vertex->set_spacing((std::min)(spacing_of_star(vertex), candidate.evaluated.spacing_limit));
+    m_number_of_replaced_tensors += candidate.position.is_tensor_replaced;
+    vertex->set_spacing((std::min)(spacing_of_star(vertex), m_evaluate.spacing_limit(candidate.position)));
     return vertex;
   }
 

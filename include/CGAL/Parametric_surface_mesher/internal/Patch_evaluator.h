@@ -20,24 +20,34 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A point of the mesh as evaluated: with its tensor, and the largest spacing that curvature and sizing field allow there.
+// A point of the surface as evaluated, with its tensor.
 template <class Kernel>
-struct Evaluated_point
+struct Evaluated_position
 {
   Parametric_point_2<Kernel> point;
-  double spacing_limit;
+  Surface_jet_3<Kernel> jet;
   bool is_tensor_replaced;
   bool is_degenerate; // no positive definite tensor was found, not even by chords
 };
 
+// A point of the mesh as evaluated: also with the largest spacing that curvature and sizing field allow there.
+template <class Kernel>
+struct Evaluated_point
+  : Evaluated_position<Kernel>
+{
+  double spacing_limit;
+};
+
 // Evaluates surface, metric and sizes at a domain point: once for each point of the mesh.
-template <class Oracle>
+template <class Oracle_>
 class Patch_evaluator
 {
 public:
+  typedef Oracle_ Oracle;
   typedef typename Oracle::Geom_traits Kernel;
   typedef typename Kernel::Point_2 Point_2;
   typedef typename Kernel::Point_3 Point_3;
+  typedef Evaluated_position<Kernel> Position;
   typedef Evaluated_point<Kernel> Evaluated;
 
 private:
@@ -58,33 +68,49 @@ public:
   const Oracle& oracle() const { return m_oracle; }
 
   // `spacing`: of the neighbourhood; over such lengths the tensor is to tell distances
-  Evaluated operator()(const Point_2& uv, double spacing) const
-  {
-    const Surface_jet_3<Kernel> jet = m_oracle.surface().jet(uv.x(), uv.y());
-    return evaluated(uv, jet.point, jet, spacing);
-  }
+  Evaluated operator()(const Point_2& uv, double spacing) const { return with_spacing_limit(position(uv, spacing)); }
 
   // with the point in space given, for boundary vertices
   Evaluated operator()(const Point_2& uv, const Point_3& surface_point, double spacing) const
   {
-    return evaluated(uv, surface_point, m_oracle.surface().jet(uv.x(), uv.y()), spacing);
+    return with_spacing_limit(position(uv, surface_point, m_oracle.surface().jet(uv.x(), uv.y()), spacing));
   }
 
+  // for a point that need not become one of the mesh: without the sizes, which cost as much again
+  Position position(const Point_2& uv, double spacing) const
+  {
+    const Surface_jet_3<Kernel> jet = m_oracle.surface().jet(uv.x(), uv.y());
+    return position(uv, jet.point, jet, spacing);
+  }
+
+  // the largest spacing allowed there
+  double spacing_limit(const Position& position) const { return spacing_limit(position.point.domain_point(), position.jet); }
+
 private:
-  Evaluated evaluated(const Point_2& uv, const Point_3& surface_point, const Surface_jet_3<Kernel>& jet, double spacing) const
+  Evaluated with_spacing_limit(const Position& position) const { return {position, spacing_limit(position)}; }
+
+  Position position(const Point_2& uv, const Point_3& surface_point, const Surface_jet_3<Kernel>& jet, double spacing) const
   {
     Metric_tensor_2 tensor = m_oracle.metric().tensor(jet);
     check_finite(uv, surface_point, tensor);
-    const double limit = spacing_limit(uv, jet);
-    const double length = (std::min)(limit, spacing);
-    const bool is_by_chords = changes_within(jet, length, m_gamma);
+    const double length = length_of_edges(uv, jet, spacing);
+    const bool is_by_chords = length > 0;
     if(is_by_chords) {
       tensor = m_oracle.metric().tensor(m_chord_jet(uv, jet, length));
       check_finite(uv, surface_point, tensor);
     }
     const bool is_regular = is_well_conditioned(tensor);
-    return {Parametric_point_2<Kernel>(uv, surface_point, is_regular ? tensor : regularized(tensor)), limit,
+    return {Parametric_point_2<Kernel>(uv, surface_point, is_regular ? tensor : regularized(tensor)), jet,
             is_by_chords || !is_regular, !is_regular};
+  }
+
+  // the length over which the jet does not tell distances, or 0 if it does
+  double length_of_edges(const Point_2& uv, const Surface_jet_3<Kernel>& jet, double spacing) const
+  {
+    if(!changes_within(jet, spacing, m_gamma))
+      return 0;
+    const double length = (std::min)(spacing_limit(uv, jet), spacing);
+    return changes_within(jet, length, m_gamma) ? length : 0;
   }
 
   // curvature limits the spacing by what the lines of the domain do, not those of a chart

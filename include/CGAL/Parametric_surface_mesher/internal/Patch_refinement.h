@@ -4,7 +4,9 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_REFINEMENT_H
 
 #include <CGAL/Mesh_2/Face_badness.h>
+#include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/Advancing_front.h>
 #include <CGAL/Parametric_surface_mesher/internal/Bad_face_queue.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Inner_points.h>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -55,6 +58,7 @@ private:
   Inner_points m_points;
   std::vector<Point_2> m_positions;
   double m_squared_min_distance;
+  bool m_tests_shape_only = false;
   bool m_is_stopped = false;
 
 public:
@@ -64,19 +68,26 @@ public:
       m_squared_min_distance(criteria.min_edge() * criteria.min_edge())
   {}
 
+  // The first points, from the boundary inwards.
+  void advance_front()
+  {
+    Advancing_front<Evaluator, Visitor> advance(m_triangulation, m_points, m_criteria.max_number_of_vertices(), m_visitor);
+    advance();
+    m_is_stopped = advance.is_stopped();
+  }
+
+  // Refines until no triangle fails the criteria, as far as they can be met.
   void operator()()
   {
-    for(Face_handle face : m_triangulation.finite_face_handles())
-      if(face->is_in_domain())
-        examine(face);
-    for(std::size_t n = 1; !m_is_stopped; ++n) {
-      const Face_handle face = m_queue.pop();
-      if(face == Face_handle())
-        break;
-      refine(face);
-      if(n % 512 == 0)
-        report_progress();
-    }
+    m_tests_shape_only = false;
+    refine_all();
+  }
+
+  // The same for size and angle alone, which cost little to test. Criteria of the user's own are tested whole.
+  void refine_by_shape()
+  {
+    m_tests_shape_only = true;
+    refine_all();
   }
 
   const Is_bad& is_bad() const { return m_is_bad; }
@@ -101,6 +112,32 @@ public:
   std::size_t number_of_replaced_tensors() const { return m_points.number_of_replaced_tensors(); }
 
 private:
+  void refine_all()
+  {
+    for(Face_handle face : m_triangulation.finite_face_handles())
+      if(face->is_in_domain())
+        examine(face);
+    for(std::size_t n = 1; !m_is_stopped; ++n) {
+      const Face_handle face = m_queue.pop();
+      if(face == Face_handle())
+        break;
+      refine(face);
+      if(n % 512 == 0)
+        report_progress();
+    }
+  }
+
+  Mesh_2::Face_badness badness(Face_handle face, Quality& quality) const
+  {
+    if(is_collapsed(face))
+      return Mesh_2::NOT_BAD;
+    typedef Parametric_surface_mesh_criteria::Is_bad<typename Evaluator::Oracle> Own_is_bad;
+    if constexpr(std::is_same_v<Is_bad, Own_is_bad>)
+      if(m_tests_shape_only)
+        return m_is_bad.is_bad_by_shape(face, quality);
+    return m_is_bad(face, quality);
+  }
+
   bool is_full() const { return m_triangulation.number_of_vertices() >= m_criteria.max_number_of_vertices(); }
 
   void report_progress()
@@ -112,14 +149,14 @@ private:
   void examine(Face_handle face)
   {
     Quality quality;
-    const Mesh_2::Face_badness badness = is_collapsed(face) ? Mesh_2::NOT_BAD : m_is_bad(face, quality);
-    if(badness == Mesh_2::NOT_BAD)
+    const Mesh_2::Face_badness found = badness(face, quality);
+    if(found == Mesh_2::NOT_BAD)
       face->set_state(Face_state::GOOD);
     else {
       face->set_state(Face_state::QUEUED);
       m_queue.push(face, quality.badness,
                    quality.is_well_shaped ? Urgency::LAST
-                   : badness == Mesh_2::IMPERATIVELY_BAD ? Urgency::FIRST : Urgency::NORMAL);
+                   : found == Mesh_2::IMPERATIVELY_BAD ? Urgency::FIRST : Urgency::NORMAL);
     }
   }
 
@@ -156,12 +193,12 @@ private:
       return false;
     const Landing<Kernel> landing(face, weights);
     for(int step = 0; step < max_number_of_corrections; ++step) {
-      const double squared_error = landing.squared_error(candidate.evaluated.point);
+      const double squared_error = landing.squared_error(candidate.position.point);
       if(!(squared_error > tolerated_squared_error * squared_circumradius))
         break;
       Candidate corrected;
-      if(!m_points.locate(candidate.location.face, landing.corrected(candidate.evaluated.point), corrected)
-         || !(landing.squared_error(corrected.evaluated.point) < 0.7 * squared_error))
+      if(!m_points.locate(candidate.location.face, landing.corrected(candidate.position.point), corrected)
+         || !(landing.squared_error(corrected.position.point) < 0.7 * squared_error))
         break;
       candidate = corrected;
     }
@@ -250,8 +287,8 @@ private:
                  &q = edge.first->vertex((edge.second + 2) % 3)->point();
       const auto& metric = m_evaluate.oracle().metric();
       smallest = (std::min)(smallest, face_measures({metric.squared_length(p, q),
-                                                     metric.squared_length(q, candidate.evaluated.point),
-                                                     metric.squared_length(candidate.evaluated.point, p)})
+                                                     metric.squared_length(q, candidate.position.point),
+                                                     metric.squared_length(candidate.position.point, p)})
                                         .squared_smallest_sine);
     }
     return smallest;

@@ -4,12 +4,17 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_REPAIR_H
 
 #include <CGAL/Mesh_2/Face_badness.h>
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/internal/Edge_flip.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Point_placement.h>
-#include <CGAL/enum.h>
+#include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -18,9 +23,10 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 /*
-What insertion of points could not make good: edges of bad faces are flipped and their inner vertices moved, where that
-raises the smallest angle around and makes no face too large or too far from the surface. The boundary stays. Most bad
-faces lie beside it, where a vertex is a little off the one place that suits its neighbours.
+What insertion of points could not make good, and what has an angle below the one aimed at: edges of such faces are
+flipped and their inner vertices moved, where that raises the smallest angle around and makes no face too large or too far
+from the surface. The boundary stays. Most of these faces lie beside it, where a vertex is a little off the one place that
+suits its neighbours, or where fronts have met.
 */
 template <class Evaluator, class IsBad>
 class Patch_repair
@@ -31,41 +37,51 @@ class Patch_repair
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Point Point;
   typedef typename Kernel::Point_2 Point_2;
+  typedef Vertex_star<Triangulation, typename Evaluator::Oracle::Metric_field> Star;
 
   static const int max_number_of_passes = 8;
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   const IsBad& m_is_bad;
-  std::vector<Face_handle> m_star;
+  double m_squared_sine, m_squared_min_edge;
+  Star m_star;
+  std::vector<Face_state> m_states; // of its faces
   std::vector<Point_2> m_positions;
 
 public:
-  Patch_repair(Triangulation& triangulation, const Evaluator& evaluate, const IsBad& is_bad)
-    : m_triangulation(triangulation), m_evaluate(evaluate), m_is_bad(is_bad)
+  Patch_repair(Triangulation& triangulation, const Evaluator& evaluate, const IsBad& is_bad,
+               const Parametric_surface_mesh_criteria& criteria)
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_is_bad(is_bad),
+      m_squared_sine(square(std::sin(criteria.improvement_angle() * std::atan(1.) / 45))),
+      m_squared_min_edge(square(criteria.min_edge())), m_star(triangulation, evaluate.oracle().metric())
   {}
 
   // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more
   // than can be, bad faces are many and improvement would take longer than refinement: some are left as they are.
-  void operator()()
+  template <class GoFurther>
+  void operator()(const GoFurther& go_further)
   {
     std::size_t attempts_left = 1000 + m_triangulation.number_of_faces() / 20;
-    std::vector<Face_handle> bad;
+    std::vector<Face_handle> poor;
     for(Face_handle face : m_triangulation.finite_face_handles())
-      if(face->is_in_domain() && face->state() == Face_state::BLOCKED)
-        bad.push_back(face);
-    bool is_changed = !bad.empty();
+      if(face->is_in_domain() && is_poor(face))
+        poor.push_back(face);
+    bool is_changed = !poor.empty();
     for(int pass = 0; is_changed && pass < max_number_of_passes; ++pass) {
       is_changed = false;
-      for(std::size_t i = 0; i < bad.size() && attempts_left > 0; ++i) // grows
-        if(badness(bad[i]) != Mesh_2::NOT_BAD) {
-          is_changed |= repair(bad[i], bad);
+      for(std::size_t i = 0; i < poor.size() && attempts_left > 0 && go_further(); ++i) // grows
+        if(is_poor(poor[i])) {
+          is_changed |= repair(poor[i], poor);
           --attempts_left;
         }
     }
   }
 
 private:
+  // \pre the state of the face is known
+  bool is_poor(Face_handle face) const { return face->state() == Face_state::BLOCKED || squared_sine(face) < m_squared_sine; }
+
   Mesh_2::Face_badness badness(Face_handle face) const
   {
     typename IsBad::Quality quality;
@@ -77,117 +93,106 @@ private:
     return is_collapsed(face) ? 1 : face_measures(face, m_evaluate.oracle().metric()).squared_smallest_sine;
   }
 
-  bool repair(Face_handle face, std::vector<Face_handle>& bad)
+  bool repair(Face_handle face, std::vector<Face_handle>& poor)
   {
     for(int i = 0; i < 3; ++i)
-      if(flip_if_better(face, i, bad))
+      if(flip_if_better(face, i, poor))
         return true;
     for(int i = 0; i < 3; ++i)
-      if(!face->vertex(i)->is_on_boundary() && move_if_better(face->vertex(i), bad))
+      if(!face->vertex(i)->is_on_boundary() && move_if_better(face->vertex(i), poor))
         return true;
     return false;
   }
 
-  // Notes the state of changed faces; those that are bad now are looked at again.
-  void note(const std::vector<Face_handle>& changed, std::vector<Face_handle>& bad)
+  // Notes the state of changed faces; those that have become poor are looked at again.
+  template <class Faces>
+  void note(const Faces& changed, std::vector<Face_handle>& poor)
   {
     for(Face_handle face : changed) {
-      const bool was_blocked = face->state() == Face_state::BLOCKED;
       face->touch();
       face->set_state(badness(face) == Mesh_2::NOT_BAD ? Face_state::GOOD : Face_state::BLOCKED);
-      if(face->state() == Face_state::BLOCKED && !was_blocked)
-        bad.push_back(face);
+      if(is_poor(face))
+        poor.push_back(face);
     }
   }
 
-  // the smallest squared sine of faces, and how many of them fail for another reason than their angles
-  struct Measure
+  // how many fail for another reason than their angles
+  template <class Faces>
+  std::size_t number_of_failures(const Faces& faces) const
   {
-    double squared_sine = 1;
-    std::size_t number_of_failures = 0;
-
-    bool is_better_than(const Measure& other) const
-    {
-      return squared_sine > 1.01 * other.squared_sine && number_of_failures <= other.number_of_failures;
-    }
-  };
-
-  Measure measure(const std::vector<Face_handle>& faces) const
-  {
-    Measure result;
-    for(Face_handle face : faces) {
-      result.squared_sine = (std::min)(result.squared_sine, squared_sine(face));
-      result.number_of_failures += badness(face) == Mesh_2::IMPERATIVELY_BAD;
-    }
-    return result;
+    return std::count_if(faces.begin(), faces.end(),
+                         [this](Face_handle face) { return badness(face) == Mesh_2::IMPERATIVELY_BAD; });
   }
 
-  bool flip_if_better(Face_handle face, int i, std::vector<Face_handle>& bad)
+  bool flip_if_better(Face_handle face, int i, std::vector<Face_handle>& poor)
   {
     if(face->is_constrained(i))
       return false;
-    const Face_handle across = face->neighbor(i);
-    const Point &p = face->vertex(i)->point(), &q = face->vertex((i + 1) % 3)->point(),
-                &r = m_triangulation.mirror_vertex(face, i)->point(), &s = face->vertex((i + 2) % 3)->point();
-    const auto orientation = m_triangulation.geom_traits().orientation_2_object();
-    if(orientation(p, q, r) != LEFT_TURN || orientation(r, s, p) != LEFT_TURN)
+    Edge_flip<Triangulation> edge(m_triangulation, face, i);
+    const auto& metric = m_evaluate.oracle().metric();
+    const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
+    if(!(edge.worst_after(metric, sine) > 1.01 * edge.worst_before(metric, sine)) || !edge.is_valid())
       return false;
-    const std::vector<Face_handle> both = {face, across};
-    const Measure before = measure(both);
-    flip_diagonal(face, across);
-    if(measure(both).is_better_than(before)) {
-      note(both, bad);
+    const auto faces = edge.faces();
+    const Face_state states[] = {faces[0]->state(), faces[1]->state()};
+    const std::size_t failures = number_of_failures(faces);
+    edge.flip();
+    if(number_of_failures(faces) <= failures) {
+      note(faces, poor);
       return true;
     }
-    // each flip turns the two triangles by a quarter: three more bring both back to their faces
-    for(int k = 0; k < 3; ++k)
-      flip_diagonal(face, across);
+    edge.undo();
+    for(int k = 0; k < 2; ++k)
+      faces[k]->set_state(states[k]);
     return false;
   }
 
-  void flip_diagonal(Face_handle face, Face_handle across) { m_triangulation.flip(face, face->index(across)); }
-
-  bool move_if_better(Vertex_handle vertex, std::vector<Face_handle>& bad)
+  bool move_if_better(Vertex_handle vertex, std::vector<Face_handle>& poor)
   {
-    collect_star(vertex);
+    m_star.collect(vertex);
+    m_states.clear();
+    for(Face_handle face : m_star.faces())
+      m_states.push_back(face->state());
+    const Point old_point = vertex->point();
+    if(find_better_place(vertex)) {
+      note(m_star.faces(), poor);
+      return true;
+    }
+    m_star.move_to(old_point);
+    for(std::size_t k = 0; k < m_states.size(); ++k)
+      m_star.faces()[k]->set_state(m_states[k]);
+    return false;
+  }
+
+  bool find_better_place(Vertex_handle vertex)
+  {
     const Point old_point = vertex->point();
     Point best_point = old_point;
-    Measure best = measure(m_star);
+    double best_sine = m_star.squared_smallest_sine(old_point);
+    const std::size_t failures = number_of_failures(m_star.faces());
     collect_positions(vertex);
     for(const Point_2& position : m_positions) {
-      if(!is_star_around(position, vertex))
+      if(!m_star.is_around(position))
         continue;
-      vertex->set_point(m_evaluate(position, vertex->spacing()).point);
-      const Measure found = measure(m_star);
-      if(found.is_better_than(best)) {
-        best = found;
-        best_point = vertex->point();
+      const Point point = m_evaluate.position(position, vertex->spacing()).point;
+      const double sine = m_star.squared_smallest_sine(point);
+      if(!(sine > 1.01 * best_sine) || !is_far_enough(point, old_point))
+        continue;
+      m_star.move_to(point);
+      if(number_of_failures(m_star.faces()) <= failures) {
+        best_sine = sine;
+        best_point = point;
       }
     }
-    vertex->set_point(best_point);
-    if(best_point == old_point)
-      return false;
-    note(m_star, bad);
-    return true;
+    m_star.move_to(best_point);
+    return !(best_point == old_point);
   }
 
-  void collect_star(Vertex_handle vertex)
+  // from its neighbours, or no closer to them than now
+  bool is_far_enough(const Point& point, const Point& old_point) const
   {
-    m_star.clear();
-    auto face = m_triangulation.incident_faces(vertex), done = face;
-    do
-      m_star.push_back(face);
-    while(++face != done);
-  }
-
-  // Whether all faces of the star stay positively oriented with their centre there; exact.
-  bool is_star_around(const Point_2& position, Vertex_handle vertex) const
-  {
-    const auto orientation = m_triangulation.geom_traits().orientation_2_object();
-    return std::all_of(m_star.begin(), m_star.end(), [&](Face_handle face) {
-      const int i = face->index(vertex);
-      return orientation(face->vertex((i + 1) % 3)->point(), face->vertex((i + 2) % 3)->point(), position) == LEFT_TURN;
-    });
+    const double squared_distance = m_star.squared_distance_to_ring(point);
+    return squared_distance >= m_squared_min_edge || squared_distance >= m_star.squared_distance_to_ring(old_point);
   }
 
   // Towards the apices of equilateral triangles over the edges of the star, and towards their mean, by shares of the way.
@@ -196,14 +201,14 @@ private:
     m_positions.clear();
     std::vector<Point_2> apices;
     double x = 0, y = 0;
-    for(Face_handle face : m_star) {
+    for(Face_handle face : m_star.faces()) {
       const int i = face->index(vertex);
       apices.push_back(Point_placement<Kernel>::apex(face->vertex((i + 1) % 3)->point(),
                                                      face->vertex((i + 2) % 3)->point(), 0.87));
       x += apices.back().x();
       y += apices.back().y();
     }
-    apices.emplace_back(x / double(m_star.size()), y / double(m_star.size()));
+    apices.emplace_back(x / double(m_star.faces().size()), y / double(m_star.faces().size()));
     const Point& p = vertex->point();
     for(const Point_2& apex : apices)
       for(double share : {1., 0.5, 0.25, 0.1})

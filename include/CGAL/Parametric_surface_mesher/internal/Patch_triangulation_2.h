@@ -49,6 +49,7 @@ enum class Face_state : std::uint8_t
 {
   UNKNOWN,
   GOOD,
+  ACTIVE, // not done, and behind the front
   QUEUED,
   BLOCKED // bad, and no acceptable position was found
 };
@@ -60,6 +61,7 @@ class Patch_face_base_2
   std::uint32_t m_stamp = 0;
   Face_state m_state = Face_state::UNKNOWN;
   bool m_is_in_domain = false;
+  std::uint8_t m_close_edges = 0; // one bit each
 
 public:
   using Base::Base;
@@ -79,10 +81,15 @@ public:
   Face_state state() const { return m_state; }
   void set_state(Face_state state) { m_state = state; }
 
+  // Whether edge `i` is known to be close to the surface.
+  bool is_close(int i) const { return (m_close_edges >> i & 1) != 0; }
+  void set_close(int i) { m_close_edges = std::uint8_t(m_close_edges | 1 << i); }
+
   // to be called when the vertices have changed
   void touch()
   {
     ++m_stamp;
+    m_close_edges = 0;
     m_state = Face_state::UNKNOWN;
   }
 };

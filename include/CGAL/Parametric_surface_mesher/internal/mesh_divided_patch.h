@@ -12,7 +12,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_collector.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_refinement.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_repair.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_improvement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Pole_ring.h>
 #include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
@@ -86,18 +86,24 @@ void mesh_divided_patch(const Oracle& oracle, const Criteria& criteria,
     insert_rings(loops);
   }
   Refinement refine(triangulation, evaluator, charted_criteria, visitor);
-  {
-    Phase_timer timer(report.seconds.refinement);
-    visitor.on_phase("refinement");
-    refine();
-    report.number_of_replaced_tensors += refine.number_of_replaced_tensors();
-  }
-  if(!refine.is_stopped()) {
-    Phase_timer timer(report.seconds.improvement);
-    visitor.on_phase("improvement");
-    Patch_repair<Evaluator, typename Refinement::Is_bad> repair(triangulation, evaluator, refine.is_bad());
-    repair();
-  }
+  Patch_improvement<Evaluator, Refinement> improve(triangulation, evaluator, charted_criteria, report.seconds.improvement);
+  const auto in_phase = [&](const char* name, double& seconds, auto run) {
+    Phase_timer timer(seconds);
+    visitor.on_phase(name);
+    run();
+  };
+  in_phase("refinement", report.seconds.refinement, [&] {
+    if(charted_criteria.placement() == Mesh_point_placement::FRONTAL)
+      refine.advance_front();
+    if(improve.has_sweeps())
+      refine.refine_by_shape();
+  });
+  if(improve.has_sweeps() && !refine.is_stopped())
+    in_phase("smoothing", report.seconds.improvement, [&] { improve.smooth(); });
+  in_phase("refinement", report.seconds.refinement, [&] { refine(); });
+  report.number_of_replaced_tensors += refine.number_of_replaced_tensors();
+  if(!refine.is_stopped())
+    in_phase("improvement", report.seconds.improvement, [&] { improve.repair(refine.is_bad()); });
   {
     Phase_timer timer(report.seconds.improvement);
     Chord_splitter<Evaluator> split_chords(triangulation, evaluator, chords);

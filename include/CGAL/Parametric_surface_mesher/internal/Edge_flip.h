@@ -1,0 +1,94 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_EDGE_FLIP_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_EDGE_FLIP_H
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// An edge between two triangles, and the other diagonal of their quadrilateral.
+template <class Triangulation>
+class Edge_flip
+{
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef typename Triangulation::Point Point;
+  typedef std::array<double, 3> Squared_lengths;
+
+  Triangulation& m_triangulation;
+  Face_handle m_face, m_across;
+  std::array<Point, 4> m_points; // of the quadrilateral: the edge is from 1 to 3
+
+public:
+  // \pre edge `i` of `face` is not constrained
+  Edge_flip(Triangulation& triangulation, Face_handle face, int i)
+    : m_triangulation(triangulation), m_face(face), m_across(face->neighbor(i)),
+      m_points{face->vertex(i)->point(), face->vertex((i + 1) % 3)->point(), triangulation.mirror_vertex(face, i)->point(),
+               face->vertex((i + 2) % 3)->point()}
+  {}
+
+  std::array<Face_handle, 2> faces() const { return {m_face, m_across}; }
+
+  // Whether the quadrilateral is strictly convex in the domain; exact.
+  bool is_valid() const
+  {
+    const auto orientation = m_triangulation.geom_traits().orientation_2_object();
+    return orientation(m_points[0], m_points[1], m_points[2]) == LEFT_TURN
+           && orientation(m_points[2], m_points[3], m_points[0]) == LEFT_TURN;
+  }
+
+  // the smaller value of `quality`, a function of squared lengths, that the two triangles have
+  template <class MetricField, class Quality>
+  double worst_before(const MetricField& metric, const Quality& quality) const
+  {
+    return (std::min)(quality(squared_lengths(metric, 0, 1, 3)), quality(squared_lengths(metric, 2, 3, 1)));
+  }
+
+  // that they would have
+  template <class MetricField, class Quality>
+  double worst_after(const MetricField& metric, const Quality& quality) const
+  {
+    return (std::min)(quality(squared_lengths(metric, 0, 1, 2)), quality(squared_lengths(metric, 2, 3, 0)));
+  }
+
+  void flip()
+  {
+    turn();
+    touch();
+  }
+
+  // Each flip turns the two triangles by a quarter: three more bring both back to their faces.
+  void undo()
+  {
+    for(int k = 0; k < 3; ++k)
+      turn();
+    touch();
+  }
+
+private:
+  template <class MetricField>
+  Squared_lengths squared_lengths(const MetricField& metric, int i, int j, int k) const
+  {
+    return {metric.squared_length(m_points[j], m_points[k]), metric.squared_length(m_points[k], m_points[i]),
+            metric.squared_length(m_points[i], m_points[j])};
+  }
+
+  void turn() { m_triangulation.flip(m_face, m_face->index(m_across)); }
+
+  void touch()
+  {
+    m_face->touch();
+    m_across->touch();
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_EDGE_FLIP_H

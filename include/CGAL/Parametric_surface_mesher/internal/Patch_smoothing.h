@@ -1,0 +1,113 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_SMOOTHING_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_SMOOTHING_H
+
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/internal/Edge_flip.h>
+#include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+/*
+Sweeps over the inner vertices of a patch: each is moved to the mean of the places where the triangles around it would be
+equilateral, if that makes them better, and edges between two triangles with opposite angles of more than 180 degrees in
+space are flipped. No triangle becomes larger than its spacing allows, and no edge shorter than the minimum.
+*/
+template <class Evaluator>
+class Patch_smoothing
+{
+  typedef typename Evaluator::Kernel Kernel;
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Point Point;
+  typedef typename Kernel::Point_2 Point_2;
+  typedef typename Evaluator::Oracle::Metric_field Metric_field;
+
+  static constexpr double quality_of_perfect_star = 0.995;
+
+  Triangulation& m_triangulation;
+  const Evaluator& m_evaluate;
+  double m_squared_size_factor, m_squared_min_edge;
+  Vertex_star<Triangulation, Metric_field> m_star;
+
+public:
+  Patch_smoothing(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria)
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_squared_size_factor(square(criteria.size_factor())),
+      m_squared_min_edge(square(criteria.min_edge())), m_star(triangulation, evaluate.oracle().metric())
+  {}
+
+  // one sweep; returns the number of vertices that have moved
+  std::size_t operator()()
+  {
+    std::size_t number_of_moves = 0;
+    for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
+      if(!vertex->is_on_boundary())
+        number_of_moves += smooth(vertex);
+    for(Face_handle face : m_triangulation.finite_face_handles())
+      if(face->is_in_domain() && face->state() == Face_state::UNKNOWN)
+        flip_obtuse(face);
+    return number_of_moves;
+  }
+
+private:
+  bool smooth(Vertex_handle vertex)
+  {
+    m_star.collect(vertex);
+    const Star_quality before = m_star.quality(vertex->point());
+    if(before.worst > quality_of_perfect_star)
+      return false;
+    const Point_2 target = m_star.mean_of_apices();
+    if(!m_star.is_around(target))
+      return false;
+    const Point point = m_evaluate.position(target, vertex->spacing()).point;
+    if(!m_star.quality(point).is_better_than(before) || !is_allowed(point, vertex->point()))
+      return false;
+    m_star.move_to(point);
+    return true;
+  }
+
+  // neither too large nor too short, or no more so than now
+  bool is_allowed(const Point& point, const Point& old_point) const
+  {
+    if(m_star.squared_size(point) > m_squared_size_factor && m_star.squared_size(point) > m_star.squared_size(old_point))
+      return false;
+    const double squared_distance = m_star.squared_distance_to_ring(point);
+    return squared_distance >= m_squared_min_edge || squared_distance >= m_star.squared_distance_to_ring(old_point);
+  }
+
+  // Flips the edge opposite to an obtuse angle, if the two triangles become better. Of two opposite angles with a sum above
+  // 180 degrees one at least is obtuse.
+  void flip_obtuse(Face_handle face)
+  {
+    const std::array<double, 3> lengths = squared_lengths(face, m_evaluate.oracle().metric());
+    for(int i = 0; i < 3; ++i)
+      if(lengths[i] > lengths[(i + 1) % 3] + lengths[(i + 2) % 3] && !face->is_constrained(i)) {
+        flip_if_better(Edge_flip<Triangulation>(m_triangulation, face, i));
+        return;
+      }
+  }
+
+  void flip_if_better(Edge_flip<Triangulation> edge)
+  {
+    const auto& metric = m_evaluate.oracle().metric();
+    if(edge.worst_after(metric, squared_mean_ratio) > edge.worst_before(metric, squared_mean_ratio) && edge.is_valid())
+      edge.flip();
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_SMOOTHING_H

@@ -1,0 +1,180 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_VERTEX_STAR_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_VERTEX_STAR_H
+
+#include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The shape of triangles: the squared mean ratio, 48 area^2 / (sum of the squared lengths)^2; 1 for an equilateral one.
+struct Star_quality
+{
+  double worst = 1;
+  double mean = 0;
+
+  // In a star of nearly equilateral triangles the mean counts, else the worst one. (A squared mean ratio of 0.8 is that of
+  // an isosceles triangle with an angle of 40 degrees at its apex.)
+  bool is_better_than(const Star_quality& other) const
+  {
+    const double good = 0.8;
+    return worst > other.worst || (worst > good && mean > other.mean);
+  }
+};
+
+inline double squared_mean_ratio(const std::array<double, 3>& squared_lengths)
+{
+  const double sum = squared_lengths[0] + squared_lengths[1] + squared_lengths[2];
+  return 3 * squared_area_16(squared_lengths) / (sum * sum);
+}
+
+// The triangles around an inner vertex, and what they would be if the vertex were elsewhere.
+template <class Triangulation, class MetricField>
+class Vertex_star
+{
+public:
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Point Point;
+  typedef typename Point::Domain_point_2 Point_2;
+
+private:
+  const Triangulation& m_triangulation;
+  const MetricField& m_metric;
+  Vertex_handle m_center;
+  std::vector<Face_handle> m_faces;
+  std::vector<Vertex_handle> m_ring;      // face k has vertices k and k + 1
+  std::vector<double> m_squared_lengths; // of the edges of the ring
+
+public:
+  Vertex_star(const Triangulation& triangulation, const MetricField& metric) : m_triangulation(triangulation), m_metric(metric)
+  {}
+
+  // \pre `vertex` is not on the boundary
+  void collect(Vertex_handle vertex)
+  {
+    m_center = vertex;
+    m_faces.clear();
+    m_ring.clear();
+    m_squared_lengths.clear();
+    const Face_handle first = vertex->face();
+    Face_handle face = first;
+    do {
+      const int i = face->index(vertex);
+      m_faces.push_back(face);
+      m_ring.push_back(face->vertex(Triangulation::ccw(i)));
+      face = face->neighbor(Triangulation::ccw(i));
+    } while(face != first);
+    for(std::size_t k = 0; k < m_ring.size(); ++k)
+      m_squared_lengths.push_back(m_metric.squared_length(ring_point(k), ring_point(k + 1)));
+  }
+
+  const std::vector<Face_handle>& faces() const { return m_faces; }
+
+  Star_quality quality(const Point& center) const
+  {
+    Star_quality result;
+    for_each_triangle(center, [&](std::size_t, const std::array<double, 3>& lengths) {
+      const double squared_ratio = squared_mean_ratio(lengths);
+      result.worst = (std::min)(result.worst, squared_ratio);
+      result.mean += squared_ratio;
+    });
+    result.mean /= double(m_ring.size());
+    return result;
+  }
+
+  double squared_smallest_sine(const Point& center) const
+  {
+    double result = 1;
+    for_each_triangle(center, [&](std::size_t, const std::array<double, 3>& lengths) {
+      result = (std::min)(result, face_measures(lengths).squared_smallest_sine);
+    });
+    return result;
+  }
+
+  double squared_distance_to_ring(const Point& center) const
+  {
+    double result = m_metric.squared_length(center, ring_point(0));
+    for(std::size_t k = 1; k < m_ring.size(); ++k)
+      result = (std::min)(result, m_metric.squared_length(center, ring_point(k)));
+    return result;
+  }
+
+  // The largest squared circumradius by the squared sum of the spacings.
+  double squared_size(const Point& center) const
+  {
+    double result = 0;
+    for_each_triangle(center, [&](std::size_t k, const std::array<double, 3>& lengths) {
+      const double sum = m_center->spacing() + m_ring[k]->spacing() + ring_vertex(k + 1)->spacing();
+      result = (std::max)(result, squared_circumradius(lengths) / (sum * sum));
+    });
+    return result;
+  }
+
+  // The mean of the apices of equilateral triangles over the edges of the ring, each in the plane of its triangle.
+  Point_2 mean_of_apices() const
+  {
+    const Point& p = m_center->point();
+    double x = 0, y = 0;
+    for_each_triangle(p, [&](std::size_t k, const std::array<double, 3>& lengths) {
+      const Point &q = ring_point(k), &r = ring_point(k + 1);
+      // of the centre, in the coordinate along the edge from `q` to `r`
+      const double foot = 0.5 * (lengths[2] + lengths[0] - lengths[1]) / lengths[0];
+      // of the equilateral triangle to that of the triangle
+      const double ratio_of_heights = std::sqrt(3 / (std::max)(squared_area_16(lengths), 1e-300)) * lengths[0];
+      const double qx = q.x() - p.x(), qy = q.y() - p.y(), rx = r.x() - p.x(), ry = r.y() - p.y();
+      x += 0.5 * (qx + rx) - ratio_of_heights * (qx + foot * (rx - qx));
+      y += 0.5 * (qy + ry) - ratio_of_heights * (qy + foot * (ry - qy));
+    });
+    return Point_2(p.x() + x / double(m_ring.size()), p.y() + y / double(m_ring.size()));
+  }
+
+  // Whether all triangles stay positively oriented with their centre there; exact.
+  bool is_around(const Point_2& position) const
+  {
+    const auto orientation = m_triangulation.geom_traits().orientation_2_object();
+    for(std::size_t k = 0; k < m_ring.size(); ++k)
+      if(orientation(ring_point(k), ring_point(k + 1), position) != LEFT_TURN)
+        return false;
+    return true;
+  }
+
+  // moves the centre
+  void move_to(const Point& point)
+  {
+    m_center->set_point(point);
+    for(Face_handle face : m_faces)
+      face->touch();
+  }
+
+private:
+  const Vertex_handle& ring_vertex(std::size_t k) const { return m_ring[k < m_ring.size() ? k : 0]; }
+  const Point& ring_point(std::size_t k) const { return ring_vertex(k)->point(); }
+
+  // calls with the number of each triangle and its squared lengths: that of the ring's edge first, then those opposite to
+  // the edge's ends
+  template <class Function>
+  void for_each_triangle(const Point& center, const Function& function) const
+  {
+    double previous = m_metric.squared_length(center, ring_point(0));
+    for(std::size_t k = 0; k < m_ring.size(); ++k) {
+      const double next = m_metric.squared_length(center, ring_point(k + 1));
+      function(k, {m_squared_lengths[k], next, previous});
+      previous = next;
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_VERTEX_STAR_H
