@@ -36,7 +36,7 @@ class Advancing_front
   typedef typename Inner_points::Candidate Candidate;
   typedef typename Kernel::Point_2 Point_2;
 
-  static constexpr double squared_done_ratio = 1.35 * 1.35; // of the circumradius to that of the equilateral triangle
+  static constexpr double squared_done_ratio = 1.3 * 1.3; // of the circumradius to that of the equilateral triangle
   static constexpr double squared_accepted_error = 0.01 * 0.01;
   static const int max_number_of_corrections = 2;
 

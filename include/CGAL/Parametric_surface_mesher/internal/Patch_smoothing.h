@@ -34,7 +34,7 @@ class Patch_smoothing
   typedef typename Kernel::Point_2 Point_2;
   typedef typename Evaluator::Oracle::Metric_field Metric_field;
 
-  static constexpr double quality_of_perfect_star = 0.995;
+  static constexpr double quality_of_perfect_star = 0.998;
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
