@@ -36,6 +36,7 @@ typedef CGAL::Parametric_surface_mesh_report Report;
 struct Settings : Benchmark_settings
 {
   std::vector<std::string> surfaces;
+  std::string placement = "frontal";
   bool inserts_domain_points = false;
 
   Settings();

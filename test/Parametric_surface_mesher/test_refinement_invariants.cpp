@@ -42,6 +42,35 @@ void check_patches(std::uint64_t seed, int number_of_patches, const Allowance& a
 
 } // namespace
 
+// each patch with another placement, and with or without improvement
+class Placement_invariants
+  : public ::testing::TestWithParam<CGAL::Mesh_point_placement>
+{};
+
+TEST_P(Placement_invariants, sums_of_waves)
+{
+  unsigned int number_of_sweeps = 0;
+  check_patches(11, 40, nearly_nothing, [&](Random_patch_generator& generator) {
+    Random_patch patch = generator.graph<Wave>();
+    patch.criteria.set_placement(GetParam()).set_max_number_of_sweeps(number_of_sweeps++ % 4);
+    patch.criteria.set_improvement_angle(number_of_sweeps % 2 == 0 ? 0 : 40);
+    return patch;
+  });
+}
+
+TEST_P(Placement_invariants, sharp_corners_and_uneven_divisions)
+{
+  check_patches(12, 25, beside_coarse_divisions, [](Random_patch_generator& generator) {
+    Random_patch patch = generator.rough_graph<Bump>();
+    patch.criteria.set_placement(GetParam());
+    return patch;
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Every_placement, Placement_invariants,
+                         ::testing::Values(CGAL::Mesh_point_placement::CIRCUMCENTER, CGAL::Mesh_point_placement::OFF_CENTER,
+                                           CGAL::Mesh_point_placement::FRONTAL));
+
 TEST(Refinement_invariants, sums_of_waves)
 {
   check_patches(1, 100, nearly_nothing, [](Random_patch_generator& generator) { return generator.graph<Wave>(); });

@@ -28,12 +28,14 @@ struct Usage_error : std::runtime_error
 
 struct Mesh_patch_options
 {
-  std::string surface, metric = "first-fundamental-form";
+  std::string surface, metric = "first-fundamental-form", placement = "frontal";
   std::string out, uv, picture, uv_picture, json, division;
   double max_edge = 0, min_edge = 0, distance = 0; // 0 if not given
   double gamma = CGAL::Parametric_surface_mesh_criteria().gamma();
   double angle = CGAL::Parametric_surface_mesh_criteria().angle();
   double size_factor = CGAL::Parametric_surface_mesh_criteria().size_factor();
+  double improvement_angle = CGAL::Parametric_surface_mesh_criteria().improvement_angle();
+  unsigned int sweeps = CGAL::Parametric_surface_mesh_criteria().max_number_of_sweeps();
   std::vector<unsigned int> numbers_of_edges; // from `division`
   int ellipses = 0;
   bool is_quiet = false, is_help_wanted = false;
@@ -120,6 +122,12 @@ inline po::options_description described_options(Mesh_patch_options& o)
     ("metric", po::value<std::string>(&o.metric)->value_name("NAME"),
      "first-fundamental-form: triangles well shaped in space; or principal-curvature: stretched along the direction of "
      "least curvature (first-fundamental-form)")
+    ("placement", po::value<std::string>(&o.placement)->value_name("NAME"),
+     "where new points are put: frontal, off-center or circumcenter (frontal)")
+    ("sweeps", po::value<unsigned int>(&o.sweeps)->value_name("N"),
+     with_default("largest number of smoothing sweeps", o.sweeps).c_str())
+    ("improvement-angle", number(o.improvement_angle),
+     with_default("angle in degrees below which triangles are improved one by one", o.improvement_angle).c_str())
     ("division", po::value<std::string>(&o.division)->value_name("N1,N2,..."),
      "numbers of edges of the boundary curves, loop by loop, or of the edges of a model that are no poles, in the order "
      "of their first use, face by face; 0 leaves a curve to the criteria");
@@ -176,6 +184,10 @@ inline void check_values(const po::variables_map& given, const Mesh_patch_option
     check_positive(given, option);
   if(!(o.angle >= 0 && o.angle < 60))
     throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
+  if(!(o.improvement_angle >= 0 && o.improvement_angle < 60))
+    throw Usage_error("--improvement-angle: the angle must be at least 0 and below 60 degrees");
+  if(o.placement != "frontal" && o.placement != "off-center" && o.placement != "circumcenter")
+    throw Usage_error("--placement: '" + o.placement + "' must be frontal, off-center or circumcenter");
   if(o.max_edge > 0 && o.min_edge > o.max_edge)
     throw Usage_error("--min-edge must not be larger than --max-edge");
   if(o.metric != "first-fundamental-form" && o.metric != "principal-curvature")

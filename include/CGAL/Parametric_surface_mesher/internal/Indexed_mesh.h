@@ -28,6 +28,7 @@ struct Indexed_mesh
   std::vector<Point_2> domain_points; // of a vertex on several patches: in one of their domains
   std::vector<std::array<std::size_t, 3>> faces;
   std::vector<std::size_t> patches;   // of the faces
+  std::vector<std::size_t> twins;     // of the sides of the faces, as far as known: see `Triangle_twins`
 
   // for each shell the pairs of boundary vertices that are joined by an edge already, smaller index first
   typedef std::set<std::pair<std::size_t, std::size_t>> Chords;
@@ -43,6 +44,12 @@ struct Indexed_mesh
       std::swap(faces[i][1], faces[i][2]);
     for(std::size_t i = first; i < corner_points.size(); ++i)
       std::swap(corner_points[i][1], corner_points[i][2]);
+    // of a face that is turned, the first side and the last one change their places
+    for(std::size_t side = 3 * first; side < twins.size(); ++side)
+      if(twins[side] != Triangle_twins::none)
+        twins[side] = 3 * (twins[side] / 3) + 2 - twins[side] % 3;
+    for(std::size_t side = 3 * first; side < twins.size(); side += 3)
+      std::swap(twins[side], twins[side + 2]);
   }
 };
 
@@ -70,7 +77,7 @@ template <class Kernel, class TriangleMesh, class Maps>
 void add_to_face_graph(const Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const Maps& maps)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  const Triangle_twins twins(mesh.faces, mesh.points.size());
+  const Triangle_twins twins(mesh.faces, mesh.twins);
   reserve(tm, num_vertices(tm) + mesh.points.size(), num_edges(tm) + 3 * mesh.faces.size() / 2,
           num_faces(tm) + mesh.faces.size());
   std::vector<vertex_descriptor> vertices;

@@ -10,6 +10,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Polar_chart_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Triangle_twins.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,7 @@ public:
       note(face, refinement);
       append(face);
     }
+    append_twins();
     m_report.smallest_angle = (std::min)(m_report.smallest_angle, degrees(m_squared_sine));
     m_report.smallest_angle_off_boundary
       = (std::min)(m_report.smallest_angle_off_boundary, degrees(m_squared_sine_off_boundary));
@@ -88,10 +90,34 @@ private:
 
   void append(Face_handle face)
   {
+    face->set_number(m_mesh.faces.size());
     m_mesh.faces.push_back({face->vertex(0)->index(), face->vertex(1)->index(), face->vertex(2)->index()});
     if(m_mesh.keeps_corner_points)
       m_mesh.corner_points.push_back({corner_point(face, 0), corner_point(face, 1), corner_point(face, 2)});
   }
+
+  // Inner edges have their twins in the triangulation. Others are found by their vertices, together with those of other
+  // patches: edges of the boundary, edges beside a collapsed triangle, and edges between two boundary vertices, which other
+  // patches might repeat.
+  void append_twins()
+  {
+    m_mesh.twins.resize(3 * m_mesh.faces.size(), std::size_t(Triangle_twins::none));
+    for(Face_handle face : m_triangulation.finite_face_handles())
+      if(face->is_in_domain() && !is_collapsed(face))
+        for(int i = 0; i < 3; ++i)
+          if(has_inner_twin(face, i))
+            m_mesh.twins[side(face, i)] = side(face->neighbor(i), m_triangulation.mirror_index(face, i));
+  }
+
+  bool has_inner_twin(Face_handle face, int i) const
+  {
+    const bool v_is_inner = !face->vertex(Triangulation::ccw(i))->is_on_boundary(),
+               w_is_inner = !face->vertex(Triangulation::cw(i))->is_on_boundary();
+    return (v_is_inner && w_is_inner) || ((v_is_inner || w_is_inner) && !is_collapsed(face->neighbor(i)));
+  }
+
+  // side `k` of a triangle runs from corner `k` to the next one; edge `i` is opposite to corner `i`
+  static std::size_t side(Face_handle face, int i) { return 3 * face->number() + Triangulation::ccw(i); }
 
   Point_2 domain_point(Vertex_handle vertex) const
   {

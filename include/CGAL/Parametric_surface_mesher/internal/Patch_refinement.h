@@ -172,7 +172,7 @@ private:
     const double squared_distance = required_squared_distance(face, measures);
     Candidate candidate;
     m_positions.clear();
-    if(locate(face, Point_placement<Kernel>::circumcenter_weights(measures), measures.squared_circumradius, candidate)
+    if(locate(face, first_weights(face, measures), measures.squared_circumradius, candidate)
        && m_points.is_far_enough(candidate, squared_distance)) {
       if(Inner_points::is_near_boundary(candidate) && encroaches(candidate))
         return insert_alternative(face, measures, squared_distance);
@@ -183,6 +183,14 @@ private:
       return insert_alternative(face, measures, squared_distance);
     append_apices(candidate.location);
     return insert_alternative(face, measures, squared_distance);
+  }
+
+  Weights first_weights(Face_handle face, const Face_measures& measures) const
+  {
+    if(m_criteria.placement() != Mesh_point_placement::OFF_CENTER)
+      return Point_placement<Kernel>::circumcenter_weights(measures);
+    const double spacing = (face->vertex(0)->spacing() + face->vertex(1)->spacing() + face->vertex(2)->spacing()) / 3;
+    return Point_placement<Kernel>::off_center_weights(measures, m_criteria.angle() * std::atan(1.) / 45, spacing);
   }
 
   // The point of the face with these barycentric coordinates. Where the parametrisation changes its speed within the face,

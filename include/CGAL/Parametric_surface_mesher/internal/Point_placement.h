@@ -37,6 +37,18 @@ public:
     return {w[0] / sum, w[1] / sum, w[2] / sum};
   }
 
+  // Between the middle of the shortest edge and the circumcentre, so that the triangle with that edge has the angle at the
+  // new point (Ungor 2004), or is of the wanted size if that is larger.
+  static Weights off_center_weights(const Face_measures& measures, double angle, double spacing)
+  {
+    const std::array<double, 3>& l = measures.squared_lengths;
+    const int shortest = int(std::min_element(l.begin(), l.end()) - l.begin());
+    const double height = (std::max)(0.5 * std::sqrt(l[shortest]) / std::tan(0.5 * angle), 0.87 * spacing);
+    const double distance = std::sqrt((std::max)(0., measures.squared_circumradius - l[shortest] / 4));
+    const Weights center = circumcenter_weights(measures);
+    return height < distance ? on_axis(shortest, height / distance, center) : center;
+  }
+
   template <class Face_handle>
   static Point_2 barycentric(Face_handle face, const Weights& w)
   {
@@ -61,11 +73,7 @@ public:
       const double share = height * std::sqrt(l[shortest]) / distance;
       if(!(share < 1))
         continue;
-      Weights weights = {0.5, 0.5, 0.5};
-      weights[shortest] = 0;
-      for(int i = 0; i < 3; ++i)
-        weights[i] += share * (center[i] - weights[i]);
-      result.push_back(weights);
+      result.push_back(on_axis(shortest, share, center));
     }
     result.push_back({1. / 3, 1. / 3, 1. / 3});
     return result;
@@ -91,6 +99,15 @@ public:
   }
 
 private:
+  // a share of the way from the middle of an edge to the circumcentre
+  static Weights on_axis(int edge, double share, const Weights& center)
+  {
+    Weights weights = {0.5, 0.5, 0.5};
+    weights[edge] = 0;
+    for(int i = 0; i < 3; ++i)
+      weights[i] += share * (center[i] - weights[i]);
+    return weights;
+  }
 };
 
 } // namespace internal

@@ -9,6 +9,8 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -21,10 +23,21 @@ class Triangle_twins
 {
   typedef std::vector<std::array<std::size_t, 3>> Triangles;
 
+  // a side without a known twin, with its vertices in ascending order
   struct Entry
   {
-    std::size_t larger_vertex, side;
+    std::size_t smaller_vertex, larger_vertex, side;
     bool is_ascending; // whether the side runs to its larger vertex
+
+    bool has_vertices_of(const Entry& other) const
+    {
+      return smaller_vertex == other.smaller_vertex && larger_vertex == other.larger_vertex;
+    }
+
+    bool operator<(const Entry& other) const
+    {
+      return std::tie(smaller_vertex, larger_vertex, side) < std::tie(other.smaller_vertex, other.larger_vertex, other.side);
+    }
   };
 
   const Triangles& m_triangles;
@@ -33,26 +46,21 @@ class Triangle_twins
 public:
   static const std::size_t none = std::size_t(-1);
 
-  // Sides are sorted into buckets by their smaller vertex: linear time.
-  // throws Parametric_surface_mesh_error if two triangles run through an edge in the same direction
-  Triangle_twins(const Triangles& triangles, std::size_t number_of_vertices)
-    : m_triangles(triangles), m_twins(3 * triangles.size(), std::size_t(-1))
+  // `twins`: of the sides, `none` where they are not known. To find those takes `n log n` for `n` sides.
+  // throws Parametric_surface_mesh_error if two of these run through an edge in the same direction
+  Triangle_twins(const Triangles& triangles, std::vector<std::size_t> twins) : m_triangles(triangles), m_twins(std::move(twins))
   {
-    std::vector<std::size_t> starts(number_of_vertices + 1, 0);
+    m_twins.resize(3 * triangles.size(), std::size_t(none));
+    std::vector<Entry> entries;
     for(std::size_t side = 0; side < m_twins.size(); ++side)
-      ++starts[(std::min)(source(side), target(side)) + 1];
-    for(std::size_t v = 0; v < number_of_vertices; ++v)
-      starts[v + 1] += starts[v];
-    std::vector<std::size_t> ends(starts.begin(), starts.end() - 1);
-    std::vector<Entry> entries(m_twins.size());
-    for(std::size_t side = 0; side < m_twins.size(); ++side) {
-      const std::size_t v = source(side), w = target(side), bucket = (std::min)(v, w);
-      const Entry entry{(std::max)(v, w), side, v < w};
-      for(std::size_t i = starts[bucket]; i < ends[bucket]; ++i)
-        if(entries[i].larger_vertex == entry.larger_vertex)
-          match(entry, entries[i]);
-      entries[ends[bucket]++] = entry;
-    }
+      if(m_twins[side] == none) {
+        const std::size_t v = source(side), w = target(side);
+        entries.push_back({(std::min)(v, w), (std::max)(v, w), side, v < w});
+      }
+    std::sort(entries.begin(), entries.end());
+    for(std::size_t i = 1; i < entries.size(); ++i)
+      if(entries[i].has_vertices_of(entries[i - 1]))
+        match(entries[i], entries[i - 1]);
   }
 
   // the side opposite to `side`, or `none` on the border
@@ -67,6 +75,9 @@ private:
     if(a.is_ascending == b.is_ascending)
       throw Parametric_surface_mesh_error("the mesh is not manifold: triangles " + std::to_string(b.side / 3) + " and "
                                           + std::to_string(a.side / 3) + " have the same edge in the same direction");
+    if(m_twins[b.side] != none)
+      throw Parametric_surface_mesh_error("the mesh is not manifold: an edge of triangle " + std::to_string(a.side / 3)
+                                          + " is an edge of two others");
     m_twins[a.side] = b.side;
     m_twins[b.side] = a.side;
   }
