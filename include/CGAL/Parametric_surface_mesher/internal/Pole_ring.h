@@ -7,12 +7,12 @@
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Pointed_apex.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -64,14 +64,10 @@ private:
     const Vertex_handle vertex = pole_vertex(pole.index);
     if(vertex == Vertex_handle() || (std::max)(radius_before, radius_after) > 1.2 * radius)
       return;
-    const double sixty_degrees = 4. / 3 * std::atan(1.);
-    const bool is_all_around = before.index == after.index;
-    const int number_of_sectors = (std::max)(int(std::lround(chart().angle_at_pole(vertex->point().domain_point()) / sixty_degrees)),
-                                             is_all_around ? 3 : 1);
-    for(int k = 1; k < number_of_sectors; ++k)
-      insert(chart().chart_point(before.domain_point
-                                 + double(k) / number_of_sectors * (after.domain_point - before.domain_point)),
-             vertex, radius);
+    const int n = number_of_sectors(chart().angle_at_pole(vertex->point().domain_point()), before.index == after.index);
+    for(int k = 1; k < n; ++k)
+      insert(chart().chart_point(before.domain_point + double(k) / n * (after.domain_point - before.domain_point)), vertex,
+             radius);
   }
 
   Vertex_handle pole_vertex(std::size_t index) const
@@ -100,7 +96,7 @@ private:
     const Vertex_handle vertex = location.kind == Location::IN_FACE
                                    ? m_insertion.insert_in_face(evaluated.point, location.face)
                                    : m_insertion.insert_in_edge(evaluated.point, location.face, location.index);
-    vertex->set_spacing((std::min)(radius, evaluated.spacing_limit));
+    vertex->set_spacing(radius);
   }
 };
 

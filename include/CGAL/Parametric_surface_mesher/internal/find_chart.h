@@ -5,8 +5,8 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Pointed_apex.h>
 #include <CGAL/Parametric_surface_mesher/internal/Polar_chart_2.h>
-#include <CGAL/Surface_jet_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,6 @@ class Chart_finder
 {
   typedef typename Surface::Geom_traits Kernel;
   typedef typename Kernel::Point_2 Point_2;
-  typedef typename Kernel::Vector_3 Vector_3;
   typedef Polar_chart_2<Kernel> Chart;
 
   const Surface& m_surface;
@@ -69,26 +68,8 @@ private:
     const bool is_straight = result.is_on_v_line || p.x() == q.x();
     result.is_lower = result.level == low;
     result.extent = is_straight && (result.is_lower || result.level == high) ? high - low : 0;
-    result.angle = angle(p, q, result.is_on_v_line);
+    result.angle = angle_at_collapsed_side(m_surface, p, q);
     return result;
-  }
-
-  // The angle in space that the directions leaving the side sweep over: 2 pi at the pole of a sphere.
-  double angle(const Point_2& p, const Point_2& q, bool is_on_v_line) const
-  {
-    const int number_of_samples = 64;
-    double sum = 0;
-    Vector_3 previous(0, 0, 0);
-    for(int i = 0; i <= number_of_samples; ++i) {
-      const Point_2 x = p + (double(i) / number_of_samples) * (q - p);
-      const Surface_jet_3<Kernel> jet = m_surface.jet(x.x(), x.y());
-      const Vector_3& across = is_on_v_line ? jet.dv : jet.du;
-      const Vector_3 direction = across / std::sqrt(across.squared_length());
-      if(i > 0)
-        sum += 2 * std::asin((std::min)(1., 0.5 * std::sqrt((direction - previous).squared_length())));
-      previous = direction;
-    }
-    return sum;
   }
 
   // Where the domain reaches far beyond the ends of the side, the chart would be too distorted.
