@@ -46,7 +46,7 @@ inline int number_of_sectors(double angle, bool is_all_around)
 
 /*
 The seams that end at a pointed apex. Three triangles all around it have edges opposite to it that are shorter than those
-that leave it: by the ratio `2 sin(sector / 2)`, the sector being a third of the angle around. Where that is below 0.7
+that leave it: by the ratio `2 sin(sector / 2)`, the sector being a third of the angle around. Where that is below 0.75
 triangles of 30 degrees between these edges and the next ones on the seam need the first piece of the seam to be longer than
 the next one: twice as long.
 */
@@ -73,7 +73,7 @@ public:
   bool asks_for_one_piece(std::size_t edge, std::size_t vertex, double length, double min_edge) const
   {
     const auto found = m_ratios.find({edge, vertex});
-    return found != m_ratios.end() && found->second < 0.7 && found->second * length < 2 * min_edge;
+    return found != m_ratios.end() && found->second < 0.75 && found->second * length < 2 * min_edge;
   }
 
 private:

@@ -64,10 +64,12 @@ private:
     const Vertex_handle vertex = pole_vertex(pole.index);
     if(vertex == Vertex_handle() || (std::max)(radius_before, radius_after) > 1.2 * radius)
       return;
-    const int n = number_of_sectors(chart().angle_at_pole(vertex->point().domain_point()), before.index == after.index);
+    const double angle = chart().angle_at_pole(vertex->point().domain_point());
+    const int n = number_of_sectors(angle, before.index == after.index);
+    const double min_distance = (std::min)(0.5, 0.7 * angle / n) * radius;
     for(int k = 1; k < n; ++k)
       insert(chart().chart_point(before.domain_point + double(k) / n * (after.domain_point - before.domain_point)), vertex,
-             radius);
+             radius, min_distance);
   }
 
   Vertex_handle pole_vertex(std::size_t index) const
@@ -78,8 +80,8 @@ private:
     return Vertex_handle();
   }
 
-  // where it is in the domain, and not closer to others than the ring's points are to each other
-  void insert(const Point_2& position, Vertex_handle pole, double radius)
+  // where it is in the domain, and not much closer to others than the ring's points are to each other
+  void insert(const Point_2& position, Vertex_handle pole, double radius, double min_distance)
   {
     auto face = pole->face();
     while(!face->is_in_domain())
@@ -91,7 +93,7 @@ private:
     const auto evaluated = m_evaluate(position, radius);
     for(int i = 0; i < 3; ++i)
       if(squared_distance(evaluated.point.surface_point(), location.face->vertex(i)->point().surface_point())
-         < 0.25 * radius * radius)
+         < min_distance * min_distance)
         return;
     const Vertex_handle vertex = location.kind == Location::IN_FACE
                                    ? m_insertion.insert_in_face(evaluated.point, location.face)
