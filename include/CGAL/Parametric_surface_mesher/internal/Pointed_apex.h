@@ -73,7 +73,7 @@ public:
   bool asks_for_one_piece(std::size_t edge, std::size_t vertex, double length, double min_edge) const
   {
     const auto found = m_ratios.find({edge, vertex});
-    return found != m_ratios.end() && found->second < 0.75 && found->second * length < 2 * min_edge;
+    return found != m_ratios.end() && found->second < 0.75 && found->second * length < 1.9 * min_edge;
   }
 
 private:
