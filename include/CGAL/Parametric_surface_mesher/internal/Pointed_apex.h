@@ -3,6 +3,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POINTED_APEX_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POINTED_APEX_H
 
+#include <CGAL/Origin.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -23,14 +25,21 @@ double angle_at_collapsed_side(const Surface& surface, const Point_2& p, const P
   typedef typename Surface::Geom_traits Kernel;
   typedef typename Kernel::Vector_3 Vector_3;
   const int number_of_samples = 64;
-  double sum = 0;
-  Vector_3 previous(0, 0, 0);
+  std::vector<Vector_3> across;
+  double largest = 0;
   for(int i = 0; i <= number_of_samples; ++i) {
     const Point_2 x = p + (double(i) / number_of_samples) * (q - p);
     const Surface_jet_3<Kernel> jet = surface.jet(x.x(), x.y());
-    const Vector_3& across = p.y() == q.y() ? jet.dv : jet.du;
-    const Vector_3 direction = across / std::sqrt(across.squared_length());
-    if(i > 0)
+    across.push_back(p.y() == q.y() ? jet.dv : jet.du);
+    largest = (std::max)(largest, across.back().squared_length());
+  }
+  double sum = 0;
+  Vector_3 previous = NULL_VECTOR;
+  for(const Vector_3& d : across) {
+    if(d.squared_length() < 1e-20 * largest)
+      continue; // where another side collapses there is no direction
+    const Vector_3 direction = d / std::sqrt(d.squared_length());
+    if(previous != NULL_VECTOR)
       sum += 2 * std::asin((std::min)(1., 0.5 * std::sqrt((direction - previous).squared_length())));
     previous = direction;
   }

@@ -35,8 +35,6 @@ degenerates and the affine map of a triangle means nothing. In the plane of comp
 Here r is the coordinate across the collapsed side, from 0 to 1 over the extent of the domain, and theta, proportional to
 the coordinate along it, sweeps over the angle that the pole has in space, but at most over 270 degrees, so that the ends
 of a full turn stay apart.
-
-Without poles the chart is the identity.
 */
 template <class Kernel>
 class Polar_chart_2
@@ -46,7 +44,7 @@ public:
   typedef std::complex<double> Complex;
 
 private:
-  int m_number_of_poles = 0;
+  int m_number_of_poles = 1;
   bool m_is_swapped = false;                    // the sides are on lines u = const
   double m_middle = 0, m_theta_per_along = 1;   // of the coordinate along the sides
   double m_level = 0, m_across_per_r = 1;       // of the coordinate across
@@ -73,13 +71,16 @@ public:
     m_across_per_r = upper.level - lower.level;
   }
 
-  bool is_identity() const { return m_number_of_poles == 0; }
-
   // whether `z` is a pole
   bool is_pole(const Point_2& z) const
   {
-    return m_number_of_poles == 1 ? z.x() == 0 && z.y() == 0
-                                  : m_number_of_poles == 2 && (z.x() == -1 || z.x() == 1) && z.y() == 0;
+    return z.y() == 0 && (m_number_of_poles == 1 ? z.x() == 0 : z.x() == -1 || z.x() == 1);
+  }
+
+  // a point at a distance from the pole `z`, inside
+  Point_2 beside_pole(const Point_2& z, double distance) const
+  {
+    return Point_2(z.x() > 0 ? z.x() - distance : z.x() + distance, z.y());
   }
 
   // the angle that the surface has in space at the pole `z`
@@ -88,8 +89,6 @@ public:
   // from the domain to the chart
   Point_2 chart_point(const Point_2& uv) const
   {
-    if(is_identity())
-      return uv;
     const double along = m_is_swapped ? uv.y() : uv.x(), across = m_is_swapped ? uv.x() : uv.y();
     const double r = (across - m_level) / m_across_per_r, theta = (along - m_middle) * m_theta_per_along;
     if(m_number_of_poles == 1) {
@@ -106,8 +105,6 @@ public:
   // from the chart to the domain; at a pole, the middle of the collapsed side
   Point_2 domain_point(const Point_2& z) const
   {
-    if(is_identity())
-      return z;
     if(is_pole(z))
       return in_domain(m_middle, z.x() > 0 ? m_level + m_across_per_r : m_level);
     const Complex l = log_e(Complex(z.x(), z.y()));
