@@ -7,6 +7,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Pointed_apex.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_chart_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Radial_stretch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,14 +48,15 @@ public:
       if(!(side.extent > 0) || !(side.angle > 0.01) || !fits(side))
         return Chart();
     if(sides.size() == 1)
-      return Polar_chart(sides[0]);
+      return Polar_chart(sides[0], Radial_stretch<Surface>(m_surface, sides[0], false).scale());
     if(sides.size() != 2)
       return Chart();
     if(sides[0].is_on_v_line != sides[1].is_on_v_line)
       return corner_chart(sides[0].is_on_v_line ? sides[0] : sides[1], sides[0].is_on_v_line ? sides[1] : sides[0]);
-    if(sides[0].is_lower != sides[1].is_lower)
-      return sides[0].is_lower ? Polar_chart(sides[0], sides[1]) : Polar_chart(sides[1], sides[0]);
-    return Chart();
+    if(sides[0].is_lower == sides[1].is_lower)
+      return Chart();
+    const Collapsed_side &lower = sides[0].is_lower ? sides[0] : sides[1], &upper = sides[0].is_lower ? sides[1] : sides[0];
+    return Polar_chart(lower, upper, Radial_stretch<Surface>(m_surface, lower, true).scale());
   }
 
 private:
