@@ -35,7 +35,7 @@ degenerates and the affine map of a triangle means nothing. In the plane of comp
   projection.
 Here r is the coordinate across the collapsed side, from 0 to 1 over the extent of the domain, and theta, proportional to
 the coordinate along it, sweeps over the angle that the pole has in space, but at most over 270 degrees, so that the ends
-of a full turn stay apart. A scale may be put between the logarithms of the moduli and of r, or of r/(1-r).
+of a full turn stay apart. With one pole a scale may be put between the logarithms of |z| and r.
 */
 template <class Kernel>
 class Polar_chart_2
@@ -65,8 +65,7 @@ public:
   }
 
   // \pre the two sides are opposite; `lower` is the one below the domain
-  Polar_chart_2(const Collapsed_side& lower, const Collapsed_side& upper, const Radial_scale& scale = Radial_scale())
-    : m_number_of_poles(2), m_scale(scale)
+  Polar_chart_2(const Collapsed_side& lower, const Collapsed_side& upper) : m_number_of_poles(2)
   {
     set_theta(lower, (std::max)(lower.angle, upper.angle));
     m_lower_angle = lower.angle;
@@ -101,7 +100,7 @@ public:
     }
     if(r >= 1)
       return Point_2(1, 0);
-    const Complex e = std::polar(scaled(r / (1 - r)), theta);
+    const Complex e = std::polar((std::max)(r, 0.) / (1 - r), theta);
     const Complex z = product(e - 1., reciprocal(e + 1.));
     return Point_2(z.real(), z.imag());
   }
@@ -160,7 +159,7 @@ private:
       m_theta_per_along = -m_theta_per_along;
   }
 
-  // the modulus for r, or r/(1-r)
+  // |z| for one pole
   double scaled(double r) const
   {
     return m_scale.is_identity() ? (std::max)(r, 0.) : r > 0 ? std::exp(m_scale.inverse(std::log(r))) : 0;

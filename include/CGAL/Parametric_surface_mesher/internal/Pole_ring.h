@@ -67,9 +67,10 @@ private:
     const double angle = chart().angle_at_pole(vertex->point().domain_point());
     const int n = number_of_sectors(angle, before.index == after.index);
     const double min_distance = (std::min)(0.5, 0.7 * angle / n) * radius;
+    const bool is_pointed = angle / n < 0.85; // then the triangles must stay as long as the seam has them
     for(int k = 1; k < n; ++k)
       insert(chart().chart_point(before.domain_point + double(k) / n * (after.domain_point - before.domain_point)), vertex,
-             radius, min_distance);
+             radius, min_distance, is_pointed);
   }
 
   Vertex_handle pole_vertex(std::size_t index) const
@@ -81,7 +82,7 @@ private:
   }
 
   // where it is in the domain, and not much closer to others than the ring's points are to each other
-  void insert(const Point_2& position, Vertex_handle pole, double radius, double min_distance)
+  void insert(const Point_2& position, Vertex_handle pole, double radius, double min_distance, bool is_pointed)
   {
     auto face = pole->face();
     while(!face->is_in_domain())
@@ -98,7 +99,7 @@ private:
     const Vertex_handle vertex = location.kind == Location::IN_FACE
                                    ? m_insertion.insert_in_face(evaluated.point, location.face)
                                    : m_insertion.insert_in_edge(evaluated.point, location.face, location.index);
-    vertex->set_spacing(radius);
+    vertex->set_spacing(is_pointed ? radius : (std::min)(radius, evaluated.spacing_limit));
   }
 };
 

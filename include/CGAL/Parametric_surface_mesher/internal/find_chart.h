@@ -48,15 +48,14 @@ public:
       if(!(side.extent > 0) || !(side.angle > 0.01) || !fits(side))
         return Chart();
     if(sides.size() == 1)
-      return Polar_chart(sides[0], Radial_stretch<Surface>(m_surface, sides[0], false).scale());
+      return Polar_chart(sides[0], Radial_stretch<Surface>(m_surface, sides[0]).scale());
     if(sides.size() != 2)
       return Chart();
     if(sides[0].is_on_v_line != sides[1].is_on_v_line)
       return corner_chart(sides[0].is_on_v_line ? sides[0] : sides[1], sides[0].is_on_v_line ? sides[1] : sides[0]);
     if(sides[0].is_lower == sides[1].is_lower)
       return Chart();
-    const Collapsed_side &lower = sides[0].is_lower ? sides[0] : sides[1], &upper = sides[0].is_lower ? sides[1] : sides[0];
-    return Polar_chart(lower, upper, Radial_stretch<Surface>(m_surface, lower, true).scale());
+    return sides[0].is_lower ? Polar_chart(sides[0], sides[1]) : Polar_chart(sides[1], sides[0]);
   }
 
 private:
