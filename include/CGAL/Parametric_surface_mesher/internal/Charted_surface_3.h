@@ -3,7 +3,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTED_SURFACE_3_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTED_SURFACE_3_H
 
-#include <CGAL/Parametric_surface_mesher/internal/Polar_chart_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_chart_2.h>
 #include <CGAL/Surface_jet_3.h>
 
 namespace CGAL {
@@ -18,7 +18,7 @@ public:
   typedef typename Surface::Geom_traits Geom_traits;
   typedef typename Geom_traits::Point_2 Point_2;
   typedef typename Geom_traits::Point_3 Point_3;
-  typedef Polar_chart_2<Geom_traits> Chart;
+  typedef Patch_chart_2<Geom_traits> Chart;
 
 private:
   const Surface& m_surface;
@@ -44,14 +44,16 @@ public:
       return m_surface.jet(x, y);
     Point_2 z(x, y);
     if(m_chart.is_pole(z))
-      z = Point_2(x > 0 ? x - distance_from_pole : x + distance_from_pole, y);
+      z = m_chart.beside_pole(z, distance_from_pole);
     const Point_2 uv = m_chart.domain_point(z);
     return m_chart.chart_jet(m_surface.jet(uv.x(), uv.y()), z);
   }
 
-  // The jet by the coordinates of the domain.
-  Surface_jet_3<Geom_traits> domain_jet(const Point_2& z) const
+  // The jet by the coordinates whose straight lines count.
+  Surface_jet_3<Geom_traits> line_jet(const Point_2& z) const
   {
+    if(!m_chart.keeps_domain_lines())
+      return jet(z.x(), z.y());
     const Point_2 uv = m_chart.domain_point(z);
     return m_surface.jet(uv.x(), uv.y());
   }
@@ -66,13 +68,13 @@ Point_2 place_in_domain(const Charted_surface_3<Surface>& surface, const Point_2
   return surface.chart().domain_point(z);
 }
 
-// The middle of an edge in the domain, in the coordinates of the chart. Of a pole, a whole side of the domain, the point
+// The middle of an edge in the coordinates whose straight lines count, as a point of the chart. Of a pole, a whole side of the domain, the point
 // opposite to the other end counts.
 template <class Surface, class Point_2>
 Point_2 domain_middle(const Charted_surface_3<Surface>& surface, const Point_2& p, const Point_2& q)
 {
   const auto& chart = surface.chart();
-  if(chart.is_identity())
+  if(chart.is_identity() || !chart.keeps_domain_lines())
     return midpoint(p, q);
   Point_2 a = chart.domain_point(p), b = chart.domain_point(q);
   if(chart.is_pole(p))

@@ -9,6 +9,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_size.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Model_uses.h>
+#include <CGAL/Parametric_surface_mesher/internal/Pointed_apex.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/divide_curve.h>
 
@@ -79,8 +80,11 @@ public:
     for(std::size_t f = 0; f < model.faces().size(); ++f)
       m_sizes.emplace_back(oracles[f], criteria, domain_box(model.faces()[f].loops, curve));
     const std::vector<std::size_t> least_numbers = least_numbers_of_pieces();
-    for(std::size_t edge : m_uses.order())
+    const Pointed_apexes<Model> apexes(model);
+    for(std::size_t edge : m_uses.order()) {
       divide(edge, least_numbers[edge]);
+      join_at_apexes(edge, least_numbers[edge], apexes);
+    }
     number_vertices_first();
   }
 
@@ -285,6 +289,27 @@ private:
     for(std::size_t i = 0; i + 1 < division.parameters.size(); ++i)
       smallest = (std::min)(smallest, std::fabs(division.parameters[i + 1] - division.parameters[i]));
     division.smallest_piece = smallest_share * smallest;
+  }
+
+  // makes the first two pieces at an end one, where that end is a pointed apex
+  void join_at_apexes(std::size_t edge, std::size_t least_number_of_pieces, const Pointed_apexes<Model>& apexes)
+  {
+    Division& division = m_divisions[edge];
+    for(bool is_at_source : {true, false}) {
+      const std::size_t n = number_of_pieces(edge);
+      if(n <= (std::max)(least_number_of_pieces, std::size_t(2)) || prescribed_number(edge) > 0)
+        return;
+      const auto squared_length = [&](std::size_t i, std::size_t k) {
+        return squared_distance(division.points[is_at_source ? i : n - i], division.points[is_at_source ? k : n - k]);
+      };
+      const std::size_t vertex = is_at_source ? m_model.edges()[edge].source : m_model.edges()[edge].target;
+      const double length = std::sqrt(squared_length(0, 2));
+      if(length <= m_criteria.max_edge() && squared_length(1, 2) < 1.1 * squared_length(0, 1)
+         && apexes.asks_for_one_piece(edge, vertex, length, m_criteria.min_edge())) {
+        division.parameters.erase(division.parameters.begin() + (is_at_source ? 1 : n - 1));
+        division.points.erase(division.points.begin() + (is_at_source ? 1 : n - 1));
+      }
+    }
   }
 
   double spacing_limit(std::size_t edge, double t) const

@@ -8,8 +8,8 @@
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_chart_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Polar_chart_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Triangle_twins.h>
 
 #include <algorithm>
@@ -33,14 +33,14 @@ class Patch_collector
   typedef typename Kernel::Point_2 Point_2;
 
   Triangulation& m_triangulation;
-  const Polar_chart_2<Kernel>& m_chart;
+  const Patch_chart_2<Kernel>& m_chart;
   std::unordered_map<Vertex_handle, Point_2> m_boundary_points; // in the domain, of a patch with a chart
   Indexed_mesh<Kernel>& m_mesh;
   Parametric_surface_mesh_report& m_report;
   double m_squared_sine = 1, m_squared_sine_off_boundary = 1; // of the smallest angles
 
 public:
-  Patch_collector(Triangulation& triangulation, const Polar_chart_2<Kernel>& chart, Indexed_mesh<Kernel>& mesh,
+  Patch_collector(Triangulation& triangulation, const Patch_chart_2<Kernel>& chart, Indexed_mesh<Kernel>& mesh,
                   Parametric_surface_mesh_report& report)
     : m_triangulation(triangulation), m_chart(chart), m_mesh(mesh), m_report(report)
   {}

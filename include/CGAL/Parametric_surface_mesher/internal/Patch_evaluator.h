@@ -113,11 +113,11 @@ private:
     return changes_within(jet, length, m_gamma) ? length : 0;
   }
 
-  // curvature limits the spacing by what the lines of the domain do, not those of a chart
+  // curvature limits the spacing by what the lines of the domain do, in most charts not those of the chart
   double spacing_limit(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
   {
     return m_oracle.surface().chart().is_identity() ? m_spacing_limit(uv, jet)
-                                                    : m_spacing_limit(uv, m_oracle.surface().domain_jet(uv));
+                                                    : m_spacing_limit(uv, m_oracle.surface().line_jet(uv));
   }
 
   void check_finite(const Point_2& uv, const Point_3& p, const Metric_tensor_2& m) const

@@ -3,6 +3,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POLAR_CHART_2_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_POLAR_CHART_2_H
 
+#include <CGAL/Parametric_surface_mesher/internal/Radial_scale.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <algorithm>
@@ -30,13 +31,11 @@ Coordinates in which a patch with poles is regular. A pole is a whole side of th
 degenerates and the affine map of a triangle means nothing. In the plane of complex numbers z,
 - with one pole, z = r e^(i theta): polar coordinates, the pole at the origin;
 - with two opposite poles, E = r/(1-r) e^(i theta) goes from one pole at 0 to the other at infinity, and z = (E-1)/(E+1)
-  brings that
-  to 1: as a sphere is mapped by stereographic projection.
+  brings that to 1: as a sphere is mapped by stereographic
+  projection.
 Here r is the coordinate across the collapsed side, from 0 to 1 over the extent of the domain, and theta, proportional to
 the coordinate along it, sweeps over the angle that the pole has in space, but at most over 270 degrees, so that the ends
-of a full turn stay apart.
-
-Without poles the chart is the identity.
+of a full turn stay apart. With one pole a scale may be put between the logarithms of |z| and r.
 */
 template <class Kernel>
 class Polar_chart_2
@@ -46,16 +45,18 @@ public:
   typedef std::complex<double> Complex;
 
 private:
-  int m_number_of_poles = 0;
+  int m_number_of_poles = 1;
   bool m_is_swapped = false;                    // the sides are on lines u = const
   double m_middle = 0, m_theta_per_along = 1;   // of the coordinate along the sides
   double m_level = 0, m_across_per_r = 1;       // of the coordinate across
+  Radial_scale m_scale;
   double m_lower_angle = 0, m_upper_angle = 0;  // in space, at the pole at r = 0 and that at r = 1
 
 public:
   Polar_chart_2() = default;
 
-  explicit Polar_chart_2(const Collapsed_side& side) : m_number_of_poles(1)
+  explicit Polar_chart_2(const Collapsed_side& side, const Radial_scale& scale = Radial_scale())
+    : m_number_of_poles(1), m_scale(scale)
   {
     set_theta(side, side.angle);
     m_lower_angle = side.angle;
@@ -73,13 +74,16 @@ public:
     m_across_per_r = upper.level - lower.level;
   }
 
-  bool is_identity() const { return m_number_of_poles == 0; }
-
   // whether `z` is a pole
   bool is_pole(const Point_2& z) const
   {
-    return m_number_of_poles == 1 ? z.x() == 0 && z.y() == 0
-                                  : m_number_of_poles == 2 && (z.x() == -1 || z.x() == 1) && z.y() == 0;
+    return z.y() == 0 && (m_number_of_poles == 1 ? z.x() == 0 : z.x() == -1 || z.x() == 1);
+  }
+
+  // a point at a distance from the pole `z`, inside
+  Point_2 beside_pole(const Point_2& z, double distance) const
+  {
+    return Point_2(z.x() > 0 ? z.x() - distance : z.x() + distance, z.y());
   }
 
   // the angle that the surface has in space at the pole `z`
@@ -88,12 +92,10 @@ public:
   // from the domain to the chart
   Point_2 chart_point(const Point_2& uv) const
   {
-    if(is_identity())
-      return uv;
     const double along = m_is_swapped ? uv.y() : uv.x(), across = m_is_swapped ? uv.x() : uv.y();
     const double r = (across - m_level) / m_across_per_r, theta = (along - m_middle) * m_theta_per_along;
     if(m_number_of_poles == 1) {
-      const Complex z = std::polar((std::max)(r, 0.), theta);
+      const Complex z = std::polar(scaled(r), theta);
       return Point_2(z.real(), z.imag());
     }
     if(r >= 1)
@@ -106,12 +108,10 @@ public:
   // from the chart to the domain; at a pole, the middle of the collapsed side
   Point_2 domain_point(const Point_2& z) const
   {
-    if(is_identity())
-      return z;
     if(is_pole(z))
       return in_domain(m_middle, z.x() > 0 ? m_level + m_across_per_r : m_level);
     const Complex l = log_e(Complex(z.x(), z.y()));
-    return in_domain(m_middle + l.imag() / m_theta_per_along, m_level + m_across_per_r * r_of(l.real()));
+    return in_domain(m_middle + l.imag() / m_theta_per_along, m_level + m_across_per_r * r_of(m_scale(l.real()).value));
   }
 
   // `pole`, the domain point of a pole, moved along its side to where `other` is
@@ -125,11 +125,12 @@ public:
   Surface_jet_3<Kernel> chart_jet(const Surface_jet_3<Kernel>& s, const Point_2& point) const
   {
     const Complex z(point.x(), point.y());
-    const double a = log_e(z).real(), r = r_of(a);
+    const Radial_scale::Jet l = m_scale(log_e(z).real());
+    const double r = r_of(l.value), r_per_l = m_across_per_r * (m_number_of_poles == 1 ? r : r * (1 - r));
     const Complex d = m_number_of_poles == 1 ? reciprocal(z) : 2. * reciprocal(1. - product(z, z));
     const Complex dd = m_number_of_poles == 1 ? -product(d, d) : product(z, product(d, d));
-    const double r1 = m_across_per_r * (m_number_of_poles == 1 ? r : r * (1 - r));
-    const double r2 = m_number_of_poles == 1 ? r1 : r1 * (1 - 2 * r);
+    const double r1 = r_per_l * l.first;
+    const double r2 = r_per_l * ((m_number_of_poles == 1 ? 1 : 1 - 2 * r) * l.first * l.first + l.second);
     const double t = 1 / m_theta_per_along;
     // p: along the sides, q: across
     const double px = t * d.imag(), py = t * d.real(), pxx = t * dd.imag(), pxy = t * dd.real(), pyy = -pxx;
@@ -158,6 +159,12 @@ private:
       m_theta_per_along = -m_theta_per_along;
   }
 
+  // |z| for one pole
+  double scaled(double r) const
+  {
+    return m_scale.is_identity() ? (std::max)(r, 0.) : r > 0 ? std::exp(m_scale.inverse(std::log(r))) : 0;
+  }
+
   // in real arithmetic: the complex functions of the standard library take several times as long
   Complex log_e(const Complex& z) const
   {
@@ -179,9 +186,10 @@ private:
     return Complex(z.real() * w.real() - z.imag() * w.imag(), z.real() * w.imag() + z.imag() * w.real());
   }
 
-  double r_of(double log_of_modulus) const
+  // from its logarithm, or that of r/(1-r)
+  double r_of(double l) const
   {
-    return m_number_of_poles == 1 ? std::exp(log_of_modulus) : 1 / (1 + std::exp(-log_of_modulus));
+    return m_number_of_poles == 1 ? std::exp(l) : 1 / (1 + std::exp(-l));
   }
 
   Point_2 in_domain(double along, double across) const

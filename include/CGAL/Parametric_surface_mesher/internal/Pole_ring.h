@@ -7,12 +7,12 @@
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Pointed_apex.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -64,14 +64,13 @@ private:
     const Vertex_handle vertex = pole_vertex(pole.index);
     if(vertex == Vertex_handle() || (std::max)(radius_before, radius_after) > 1.2 * radius)
       return;
-    const double sixty_degrees = 4. / 3 * std::atan(1.);
-    const bool is_all_around = before.index == after.index;
-    const int number_of_sectors = (std::max)(int(std::lround(chart().angle_at_pole(vertex->point().domain_point()) / sixty_degrees)),
-                                             is_all_around ? 3 : 1);
-    for(int k = 1; k < number_of_sectors; ++k)
-      insert(chart().chart_point(before.domain_point
-                                 + double(k) / number_of_sectors * (after.domain_point - before.domain_point)),
-             vertex, radius);
+    const double angle = chart().angle_at_pole(vertex->point().domain_point());
+    const int n = number_of_sectors(angle, before.index == after.index);
+    const double min_distance = (std::min)(0.5, 0.7 * angle / n) * radius;
+    const bool is_pointed = angle / n < 0.85; // then the triangles must stay as long as the seam has them
+    for(int k = 1; k < n; ++k)
+      insert(chart().chart_point(before.domain_point + double(k) / n * (after.domain_point - before.domain_point)), vertex,
+             radius, min_distance, is_pointed);
   }
 
   Vertex_handle pole_vertex(std::size_t index) const
@@ -82,8 +81,8 @@ private:
     return Vertex_handle();
   }
 
-  // where it is in the domain, and not closer to others than the ring's points are to each other
-  void insert(const Point_2& position, Vertex_handle pole, double radius)
+  // where it is in the domain, and not much closer to others than the ring's points are to each other
+  void insert(const Point_2& position, Vertex_handle pole, double radius, double min_distance, bool is_pointed)
   {
     auto face = pole->face();
     while(!face->is_in_domain())
@@ -95,12 +94,12 @@ private:
     const auto evaluated = m_evaluate(position, radius);
     for(int i = 0; i < 3; ++i)
       if(squared_distance(evaluated.point.surface_point(), location.face->vertex(i)->point().surface_point())
-         < 0.25 * radius * radius)
+         < min_distance * min_distance)
         return;
     const Vertex_handle vertex = location.kind == Location::IN_FACE
                                    ? m_insertion.insert_in_face(evaluated.point, location.face)
                                    : m_insertion.insert_in_edge(evaluated.point, location.face, location.index);
-    vertex->set_spacing((std::min)(radius, evaluated.spacing_limit));
+    vertex->set_spacing(is_pointed ? radius : (std::min)(radius, evaluated.spacing_limit));
   }
 };
 

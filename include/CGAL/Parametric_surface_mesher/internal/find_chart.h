@@ -5,8 +5,9 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
-#include <CGAL/Parametric_surface_mesher/internal/Polar_chart_2.h>
-#include <CGAL/Surface_jet_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/Pointed_apex.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_chart_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Radial_stretch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +20,14 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // Finds the chart for a patch: by its collapsed sides, if they are straight along `u` or `v` and either there is one or
-// there are two opposite ones. Otherwise it is the identity.
+// there are two. Otherwise it is the identity.
 template <class Surface>
 class Chart_finder
 {
   typedef typename Surface::Geom_traits Kernel;
   typedef typename Kernel::Point_2 Point_2;
-  typedef typename Kernel::Vector_3 Vector_3;
-  typedef Polar_chart_2<Kernel> Chart;
+  typedef Patch_chart_2<Kernel> Chart;
+  typedef Polar_chart_2<Kernel> Polar_chart;
 
   const Surface& m_surface;
   const Boundary_loops<Kernel>& m_loops;
@@ -47,10 +48,14 @@ public:
       if(!(side.extent > 0) || !(side.angle > 0.01) || !fits(side))
         return Chart();
     if(sides.size() == 1)
-      return Chart(sides[0]);
-    if(sides.size() == 2 && sides[0].is_on_v_line == sides[1].is_on_v_line && sides[0].is_lower != sides[1].is_lower)
-      return sides[0].is_lower ? Chart(sides[0], sides[1]) : Chart(sides[1], sides[0]);
-    return Chart();
+      return Polar_chart(sides[0], Radial_stretch<Surface>(m_surface, sides[0]).scale());
+    if(sides.size() != 2)
+      return Chart();
+    if(sides[0].is_on_v_line != sides[1].is_on_v_line)
+      return corner_chart(sides[0].is_on_v_line ? sides[0] : sides[1], sides[0].is_on_v_line ? sides[1] : sides[0]);
+    if(sides[0].is_lower == sides[1].is_lower)
+      return Chart();
+    return sides[0].is_lower ? Polar_chart(sides[0], sides[1]) : Polar_chart(sides[1], sides[0]);
   }
 
 private:
@@ -69,26 +74,18 @@ private:
     const bool is_straight = result.is_on_v_line || p.x() == q.x();
     result.is_lower = result.level == low;
     result.extent = is_straight && (result.is_lower || result.level == high) ? high - low : 0;
-    result.angle = angle(p, q, result.is_on_v_line);
+    result.angle = angle_at_collapsed_side(m_surface, p, q);
     return result;
   }
 
-  // The angle in space that the directions leaving the side sweep over: 2 pi at the pole of a sphere.
-  double angle(const Point_2& p, const Point_2& q, bool is_on_v_line) const
+  // of two sides that meet, on a line `v = constant` and a line `u = constant`, if they are whole sides of the domain's box
+  Chart corner_chart(const Collapsed_side& v_side, const Collapsed_side& u_side) const
   {
-    const int number_of_samples = 64;
-    double sum = 0;
-    Vector_3 previous(0, 0, 0);
-    for(int i = 0; i <= number_of_samples; ++i) {
-      const Point_2 x = p + (double(i) / number_of_samples) * (q - p);
-      const Surface_jet_3<Kernel> jet = m_surface.jet(x.x(), x.y());
-      const Vector_3& across = is_on_v_line ? jet.dv : jet.du;
-      const Vector_3 direction = across / std::sqrt(across.squared_length());
-      if(i > 0)
-        sum += 2 * std::asin((std::min)(1., 0.5 * std::sqrt((direction - previous).squared_length())));
-      previous = direction;
-    }
-    return sum;
+    for(const Collapsed_side& side : {v_side, u_side})
+      if((std::min)(side.from, side.to) != side.low || (std::max)(side.from, side.to) != side.high)
+        return Chart();
+    const auto opposite = [](const Collapsed_side& side) { return side.is_lower ? side.level + side.extent : side.level - side.extent; };
+    return Corner_chart_2<Kernel>(Point_2(u_side.level, v_side.level), Point_2(opposite(u_side), opposite(v_side)));
   }
 
   // Where the domain reaches far beyond the ends of the side, the chart would be too distorted.
@@ -99,7 +96,7 @@ private:
 };
 
 template <class Surface>
-Polar_chart_2<typename Surface::Geom_traits> find_chart(const Surface& surface,
+Patch_chart_2<typename Surface::Geom_traits> find_chart(const Surface& surface,
                                                         const Boundary_loops<typename Surface::Geom_traits>& loops)
 {
   return Chart_finder<Surface>(surface, loops)();
@@ -121,7 +118,7 @@ Boundary_loops<Kernel> without_collapsed_sides(const Boundary_loops<Kernel>& loo
 
 // The divided boundary in the coordinates of a chart, where a collapsed side is one point.
 template <class Kernel>
-Boundary_loops<Kernel> chart_loops(const Boundary_loops<Kernel>& loops, const Polar_chart_2<Kernel>& chart)
+Boundary_loops<Kernel> chart_loops(const Boundary_loops<Kernel>& loops, const Patch_chart_2<Kernel>& chart)
 {
   if(chart.is_identity())
     return loops;
