@@ -37,12 +37,23 @@ struct Parametric_surface_mesh_report
     Unmet_cause cause;        ///< why
   };
 
-  /// processor time in seconds of each phase.
+  /// processor time in seconds of each phase, of all threads together.
   struct Seconds
   {
     double division = 0, triangulation = 0, refinement = 0, improvement = 0, output = 0;
     /// the sum of all phases.
     double meshing() const { return division + triangulation + refinement + improvement + output; }
+
+    /// adds phase by phase.
+    Seconds& operator+=(const Seconds& other)
+    {
+      division += other.division;
+      triangulation += other.triangulation;
+      refinement += other.refinement;
+      improvement += other.improvement;
+      output += other.output;
+      return *this;
+    }
   };
 
   double max_edge = 0; ///< the maximum edge length in effect

@@ -7,9 +7,9 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_repair.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_smoothing.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Phase_timer.h>
 
 #include <cstddef>
-#include <ctime>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -26,7 +26,7 @@ class Patch_improvement
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   const Parametric_surface_mesh_criteria& m_criteria;
-  const double& m_seconds_before; // spent on other patches, and earlier on this one
+  const double& m_seconds_before; // spent on the patch so far
 
 public:
   Patch_improvement(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria,
@@ -56,7 +56,7 @@ private:
   auto clock() const
   {
     const double limit = m_criteria.improvement_time() - m_seconds_before;
-    return [limit, start = std::clock()] { return double(std::clock() - start) / CLOCKS_PER_SEC < limit; };
+    return [limit, start = thread_seconds()] { return thread_seconds() - start < limit; };
   }
 };
 

@@ -11,7 +11,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
 #include <CGAL/Parametric_surface_mesher/internal/describe.h>
-#include <CGAL/Parametric_surface_mesher/internal/mesh_divided_patch.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_mesher.h>
 #include <CGAL/Parametric_surface_mesher/internal/name_face.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Parametric_surface_oracle_3.h>

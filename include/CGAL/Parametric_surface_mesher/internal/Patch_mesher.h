@@ -1,0 +1,142 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_MESHER_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_MESHER_H
+
+#include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_oracle_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Charted_surface_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/Chord_splitter.h>
+#include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_collector.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_improvement.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_refinement.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Phase_timer.h>
+#include <CGAL/Parametric_surface_mesher/internal/Pole_ring.h>
+#include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulate_boundary.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The criteria as seen from a chart: the sizing field takes points of the domain.
+template <class Criteria, class Chart>
+Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
+{
+  Criteria result = criteria;
+  if(criteria.sizing_field() && !chart.is_identity())
+    result.set_sizing_field([field = criteria.sizing_field(), chart](double x, double y) {
+      const auto uv = chart.domain_point(typename Chart::Point_2(x, y));
+      return field(uv.x(), uv.y());
+    });
+  return result;
+}
+
+// From the divided boundary of a patch to its triangles: triangulation, refinement, improvement. A patch with poles is meshed
+// in the coordinates of a chart. Patches know nothing of each other until they are collected.
+template <class Oracle, class Criteria, class Visitor>
+class Patch_mesher
+{
+  typedef typename Oracle::Geom_traits Kernel;
+  typedef Charted_surface_3<typename Oracle::Surface> Surface;
+  typedef Parametric_surface_oracle_3<Surface, typename Oracle::Metric_field> Charted_oracle;
+  typedef Patch_evaluator<Charted_oracle> Evaluator;
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef Patch_refinement<Evaluator, Criteria, Visitor> Refinement;
+
+  const Surface m_surface;
+  const Charted_oracle m_oracle;
+  const Criteria m_criteria;
+  const Boundary_loops<Kernel> m_loops; // in the domain
+  const Boundary_loops<Kernel> m_charted_loops;
+  const Evaluator m_evaluator;
+  Visitor& m_visitor;
+  Triangulation m_triangulation;
+  std::vector<typename Triangulation::Vertex_handle> m_boundary_vertices;
+  Refinement m_refine;
+  Parametric_surface_mesh_report m_report;
+
+public:
+  // \pre no segments of the loops cross
+  Patch_mesher(const Oracle& oracle, const Criteria& criteria, Boundary_loops<Kernel> loops, Visitor& visitor)
+    : m_surface(oracle.surface(), find_chart(oracle.surface(), loops)),
+      m_oracle(m_surface, oracle.metric(), oracle.singular_points()),
+      m_criteria(chart_criteria(criteria, m_surface.chart())),
+      m_loops(std::move(loops)), m_charted_loops(chart_loops(m_loops, m_surface.chart())),
+      m_evaluator(m_oracle, m_criteria, box_of_loops(m_charted_loops)),
+      m_visitor(visitor), m_refine(m_triangulation, m_evaluator, m_criteria, visitor)
+  {}
+
+  // it refers to itself
+  Patch_mesher(const Patch_mesher&) = delete;
+  Patch_mesher& operator=(const Patch_mesher&) = delete;
+
+  void operator()()
+  {
+    Patch_improvement<Evaluator, Refinement> improve(m_triangulation, m_evaluator, m_criteria, m_report.seconds.improvement);
+    in_phase("triangulation", m_report.seconds.triangulation, [&] { triangulate(); });
+    in_phase("refinement", m_report.seconds.refinement, [&] {
+      if(m_criteria.placement() == Mesh_point_placement::FRONTAL)
+        m_refine.advance_front();
+      if(improve.has_sweeps())
+        m_refine.refine_by_shape();
+    });
+    if(improve.has_sweeps() && !m_refine.is_stopped())
+      in_phase("smoothing", m_report.seconds.improvement, [&] { improve.smooth(); });
+    in_phase("refinement", m_report.seconds.refinement, [&] { m_refine(); });
+    m_report.number_of_replaced_tensors += m_refine.number_of_replaced_tensors();
+    if(!m_refine.is_stopped())
+      in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_refine.is_bad()); });
+  }
+
+  // Appends the triangles to `mesh`, and what is to be told of them to `report`.
+  // `chords`: what joins boundary vertices of the patch's shell.
+  // \pre the boundary vertices are in `mesh` already
+  void collect(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords, Parametric_surface_mesh_report& report)
+  {
+    report.seconds += m_report.seconds;
+    report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
+    {
+      Phase_timer timer(report.seconds.improvement);
+      Chord_splitter<Evaluator> split_chords(m_triangulation, m_evaluator, chords);
+      split_chords();
+    }
+    Phase_timer timer(report.seconds.output);
+    Patch_collector<Kernel> collect(m_triangulation, m_surface.chart(), mesh, report);
+    if(!m_surface.chart().is_identity())
+      collect.set_domain_points(m_boundary_vertices, without_collapsed_sides(m_loops));
+    collect(m_refine);
+  }
+
+private:
+  template <class Run>
+  void in_phase(const char* name, double& seconds, const Run& run)
+  {
+    Phase_timer timer(seconds);
+    m_visitor.on_phase(name);
+    run();
+  }
+
+  void triangulate()
+  {
+    Boundary_triangulator<Kernel> triangulate(m_triangulation, m_charted_loops);
+    triangulate(m_evaluator);
+    m_report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
+    m_boundary_vertices = triangulate.vertices();
+    Pole_ring<Evaluator> insert_rings(m_triangulation, m_evaluator);
+    insert_rings(m_loops);
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_MESHER_H
