@@ -124,6 +124,7 @@ public:
   /// @{
   const std::vector<Point_3>& vertices() const { return m_vertices; }
   const std::vector<Edge>& edges() const { return m_edges; }
+  std::vector<Edge>& edges() { return m_edges; }
   const std::vector<Face>& faces() const { return m_faces; }
   std::vector<Face>& faces() { return m_faces; }
   /// @}
