@@ -48,6 +48,7 @@ struct Open_cascade_model_3
   std::size_t number_of_shape_faces = 0;
   std::size_t number_of_shape_edges = 0;
   double diagonal = 0; ///< of the box of the shape
+  bool is_shape_closed = true; ///< whether each edge has two uses in each shell that it is in, as far as faces lie on it
 
   std::vector<Left_out_face> left_out; ///< faces that could not be built
   std::vector<Gap> gaps;               ///< of edges that are less exact than the shape says

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +38,13 @@ struct Parametric_surface_mesh_report
     Unmet_cause cause;        ///< why
   };
 
+  /// a face of the model that the mesh is without: see `CGAL::parameters::leaves_out_bad_faces()`.
+  struct Left_out_face
+  {
+    std::size_t face;   ///< its number in the model
+    std::string reason; ///< the error that it causes
+  };
+
   /// processor time in seconds of each phase.
   struct Seconds
   {
@@ -57,6 +65,7 @@ struct Parametric_surface_mesh_report
   double smallest_angle = 180;             ///< over all triangles
   double smallest_angle_off_boundary = 180; ///< over the triangles that are not boundary-limited
   std::vector<Unmet> unmet;                ///< every triangle that fails a criterion
+  std::vector<Left_out_face> left_out;     ///< faces of the model that could not be meshed, by their numbers
   Seconds seconds;
 
   /// the number of triangles that fail `criterion` for `cause`.

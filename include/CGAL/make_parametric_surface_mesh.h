@@ -10,6 +10,7 @@
 #include <CGAL/Parametric_surface_mesh_parameters.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesh_visitor.h>
+#include <CGAL/Parametric_surface_mesher/internal/leave_out_bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/mesh_model.h>
 #include <CGAL/Parametric_surface_mesher/internal/model_of_patch.h>
 #include <CGAL/Parametric_surface_mesher/internal/separate_pieces.h>
@@ -217,6 +218,11 @@ Criteria, mesh, named parameters, report and exceptions are as above; in additio
                    as key type and `std::size_t` as value type}
     \cgalParamDefault{none}
   \cgalParamNEnd
+  \cgalParamNBegin{leaves_out_bad_faces}
+    \cgalParamDescription{whether a face that cannot be meshed is left out and reported, in place of an exception}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 */
 template <class Surface, class Criteria, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
@@ -225,8 +231,9 @@ make_parametric_surface_mesh(const Parametric_surface_model_3<Surface>& model, c
                              TriangleMesh& tm, const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  validate(model);
-  return mesh_model_into(tm, model, criteria, np, [](auto& division) { division.number_vertices_first(); });
+  return mesh_valid_model(model, np, [&](const auto& valid_model) {
+    return mesh_model_into(tm, valid_model, criteria, np, [](auto& division) { division.number_vertices_first(); });
+  });
 }
 
 } // namespace CGAL

@@ -13,9 +13,6 @@
 #include <BRep_Builder.hxx>
 #include <IGESControl_Reader.hxx>
 #include <Interface_Static.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
-#include <Message_PrinterOStream.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TopoDS_Shape.hxx>
 

@@ -99,7 +99,8 @@ public:
   {
     division.append_to(mesh);
     for(std::size_t f = 0; f < m_model.faces().size(); ++f)
-      with_name_of_face(m_model, f, [&] { mesh_face(f, division, mesh); });
+      if(!m_model.faces()[f].loops.empty()) // else it was left out
+        with_name_of_face(m_model, f, [&] { mesh_face(f, division, mesh); });
     m_report.number_of_faces = mesh.faces.size();
   }
 
@@ -112,20 +113,20 @@ private:
     for(const auto& loop : loops)
       for(const auto& vertex : loop)
         mesh.domain_points[vertex.index] = vertex.domain_point;
-    mesh_divided_patch(m_oracles[number], criteria_of_face(loops, mesh), loops, m_visitor, mesh, mesh.chords[face.shell], m_report);
+    mesh_divided_patch(m_oracles[number], criteria_of_face(face, loops, mesh), loops, m_visitor, mesh, mesh.chords[face.shell], m_report);
     if(face.is_reversed)
       mesh.reverse_faces(first);
     mesh.patches.resize(mesh.faces.size(), number);
   }
 
   // the number of vertices is limited for all faces together
-  template <class Loops>
-  Criteria criteria_of_face(const Loops& loops, const Mesh& mesh) const
+  template <class Face, class Loops>
+  Criteria criteria_of_face(const Face& face, const Loops& loops, const Mesh& mesh) const
   {
     std::size_t limit = m_criteria.max_number_of_vertices() - (std::min)(m_criteria.max_number_of_vertices(), mesh.points.size());
     for(const auto& loop : loops)
       limit += loop.size();
-    Criteria result = m_criteria;
+    Criteria result = internal::criteria_of_face(m_criteria, face);
     result.set_max_number_of_vertices(limit);
     return result;
   }

@@ -104,7 +104,9 @@ private:
   // Open CASCADE's readers put such edges between curves that are periods apart. Loop_closer brings these together.
   bool is_falsely_collapsed(const Edge_use& use) const
   {
-    return m_result.model.edges()[use.edge].is_collapsed && gap(use.edge, use.curve) > distrusted(use.edge);
+    const auto& edge = m_result.model.edges()[use.edge];
+    return edge.is_collapsed
+           && gap(use.edge, use.curve) > (std::max)(distrusted_gap * m_result.diagonal, 10 * edge.tolerance);
   }
 
   // The curve of the file, if it lies where the edge is; else a new one, if that does.

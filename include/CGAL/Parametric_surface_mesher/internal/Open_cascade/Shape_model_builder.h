@@ -20,6 +20,7 @@
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
@@ -28,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -118,14 +120,31 @@ private:
     TopTools_MapOfShape shells;
     for(TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next())
       if(shells.Add(shell.Current())) {
+        TopTools_ListOfShape faces;
         for(TopExp_Explorer face(shell.Current(), TopAbs_FACE); face.More(); face.Next())
-          add_face(TopoDS::Face(face.Current()), number);
-        ++number;
+          faces.Append(face.Current());
+        add_shell(faces, number++);
       }
-    TopTools_MapOfShape faces;
+    TopTools_MapOfShape free_faces;
+    TopTools_ListOfShape faces;
     for(TopExp_Explorer face(shape, TopAbs_FACE, TopAbs_SHELL); face.More(); face.Next())
-      if(faces.Add(face.Current()))
-        add_face(TopoDS::Face(face.Current()), number);
+      if(free_faces.Add(face.Current()))
+        faces.Append(face.Current());
+    add_shell(faces, number);
+  }
+
+  void add_shell(const TopTools_ListOfShape& faces, std::size_t shell)
+  {
+    std::map<int, int> numbers_of_uses; // of edges
+    for(const TopoDS_Shape& face : faces) {
+      for(TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
+        if((edge.Current().Orientation() == TopAbs_FORWARD || edge.Current().Orientation() == TopAbs_REVERSED)
+           && !BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
+          ++numbers_of_uses[m_edges.FindIndex(edge.Current())];
+      add_face(TopoDS::Face(face), shell);
+    }
+    for(const auto& edge : numbers_of_uses)
+      m_result.is_shape_closed = m_result.is_shape_closed && edge.second == 2;
   }
 
   void add_face(const TopoDS_Face& face, std::size_t shell)
