@@ -22,7 +22,7 @@ struct Mesh_cad_options
   std::string input, out, picture, json, unit = "MM";
   std::string face_list, face_sizes, edge_sizes;
   double max_edge = 0, min_edge = 0, distance = 0; // 0 if not given
-  double relative_distance = 5e-4, gamma = 0.05, angle = 30;
+  double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8;
   std::set<std::size_t> faces;                                 // from `face_list`; empty for all
   std::map<std::size_t, double> max_edge_of_face, max_edge_of_edge; // from the lists of sizes
   bool is_healing_wanted = false, is_quiet = false, is_help_wanted = false;
@@ -72,6 +72,7 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("distance", number(o.distance), "largest distance from a surface to its triangles (--relative-distance)")
     ("relative-distance", number(o.relative_distance), "the same over the diagonal of the shape's box (0.0005)")
     ("angle", number(o.angle), "smallest angle in degrees, at least 0 and below 60 (30)")
+    ("closeness", number(o.closeness), "longest piece of a boundary over the width of its face there (1.8)")
     ("face-size", text(o.face_sizes, "F:L,..."), "wanted edge lengths of single faces: a shorter one for face 3 by 3:0.5")
     ("edge-size", text(o.edge_sizes, "E:L,..."), "the same for edges of the shape");
   po::options_description input("Input", 92);
@@ -139,7 +140,7 @@ inline std::map<std::size_t, double> sizes_in(const std::string& option, const s
 
 inline void check_values(const po::variables_map& given, const Mesh_cad_options& o)
 {
-  for(const char* option : {"max-edge", "min-edge", "gamma", "distance", "relative-distance"})
+  for(const char* option : {"max-edge", "min-edge", "gamma", "distance", "relative-distance", "closeness"})
     mesh_patch::check_positive(given, option);
   if(!(o.angle >= 0 && o.angle < 60))
     throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");

@@ -45,6 +45,7 @@ namespace mesh_cad {
 
 typedef Cad_mesh::Kernel Kernel;
 typedef CGAL::Open_cascade_model_3::Model Model;
+typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Cad_mesh::Mesh>>> Tree;
 
 // The corners of a triangle: in space, and in the domain of its face.
 struct Triangle_corners
@@ -81,25 +82,27 @@ inline std::pair<std::size_t, double> smallest_angle(const std::array<Kernel::Po
   return result;
 }
 
-// Largest squared distance of surface points over the middles of the sides and the centroid to the triangle.
-inline double squared_distance_to_surface(const Triangle_corners& c, const CGAL::Open_cascade_surface_3& surface)
+// The largest squared distance, if above `known`, of surface points over the middles of the sides and the centroid to the
+// mesh. Mostly the distance to the triangle itself is short enough; around poles another one is closer.
+inline double squared_distance_to_surface(const Triangle_corners& c, const CGAL::Open_cascade_surface_3& surface,
+                                          const Tree& tree, double known)
 {
   const Kernel::Triangle_3 triangle(c.points[0], c.points[1], c.points[2]);
-  double result = 0;
+  double result = known;
   for(const auto& w : {std::array<double, 3>{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1. / 3, 1. / 3, 1. / 3}}) {
     const double u = w[0] * c.uv[0].x() + w[1] * c.uv[1].x() + w[2] * c.uv[2].x(),
                  v = w[0] * c.uv[0].y() + w[1] * c.uv[1].y() + w[2] * c.uv[2].y();
-    result = (std::max)(result, CGAL::to_double(CGAL::squared_distance(surface.point(u, v), triangle)));
+    const Kernel::Point_3 p = surface.point(u, v);
+    if(CGAL::squared_distance(p, triangle) > result)
+      result = (std::max)(result, tree.squared_distance(p));
   }
   return result;
 }
 
 // The largest squared distance of points of the edges of meshed faces to the mesh.
-inline double squared_distance_to_edges(const Cad_mesh& mesh, const Model& model)
+inline double squared_distance_to_edges(const Cad_mesh& mesh, const Model& model, const Tree& tree)
 {
-  typedef CGAL::AABB_face_graph_triangle_primitive<Cad_mesh::Mesh> Primitive;
   const int number_of_samples = 64;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(faces(mesh.mesh).first, faces(mesh.mesh).second, mesh.mesh);
   std::set<std::size_t> edges;
   for(const std::size_t face : std::set<std::size_t>(mesh.patch.begin(), mesh.patch.end()))
     for(const auto& loop : model.faces()[face].loops)
@@ -144,11 +147,12 @@ inline Cad_mesh_measures measure(const Cad_mesh& mesh, const CGAL::Open_cascade_
   const double small_angle = 10; // degrees
   Cad_mesh_measures result;
   const auto sharp = sharp_corners(shape.model, small_angle);
-  double squared_distance = squared_distance_to_edges(mesh, shape.model);
+  const Tree tree(faces(mesh.mesh).first, faces(mesh.mesh).second, mesh.mesh);
+  double squared_distance = squared_distance_to_edges(mesh, shape.model, tree);
   for(const auto face : mesh.mesh.faces()) {
     const Triangle_corners c = corners(mesh, face);
     const std::size_t patch = mesh.patch[face];
-    squared_distance = (std::max)(squared_distance, squared_distance_to_surface(c, shape.model.faces()[patch].surface));
+    squared_distance = squared_distance_to_surface(c, shape.model.faces()[patch].surface, tree, squared_distance);
     const auto smallest = smallest_angle(c.points);
     if(smallest.second < small_angle) {
       ++result.below_10;

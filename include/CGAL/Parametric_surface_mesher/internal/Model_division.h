@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -180,6 +181,17 @@ public:
       split(edge, numbers);
     }
     number_vertices_first();
+  }
+
+  // the faces that use the edges of pieces
+  template <class Pieces>
+  std::vector<std::size_t> faces_at(const Pieces& pieces) const
+  {
+    std::set<std::size_t> result;
+    for(const Piece& piece : pieces)
+      for(const auto& use : m_uses[piece.edge])
+        result.insert(use.face);
+    return std::vector<std::size_t>(result.begin(), result.end());
   }
 
   // the divided boundary of a face

@@ -6,6 +6,7 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/Closeness_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Crossing_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
@@ -90,6 +91,11 @@ public:
     Division division(m_model, m_oracles, m_criteria);
     Crossing_refinement<Oracle> refine(division, m_oracles);
     m_report.number_of_split_boundary_edges = refine();
+    if(m_criteria.closeness() > 0) {
+      Closeness_refinement<Oracle> refine_narrow_faces(division, m_oracles, m_criteria);
+      m_report.number_of_edges_split_by_closeness = refine_narrow_faces();
+      m_report.number_of_split_boundary_edges += refine();
+    }
     m_report.number_of_boundary_edges = division.number_of_edges();
     return division;
   }
