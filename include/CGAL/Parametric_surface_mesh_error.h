@@ -3,6 +3,8 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESH_ERROR_H
 #define CGAL_PARAMETRIC_SURFACE_MESH_ERROR_H
 
+#include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -18,8 +20,16 @@ without `NDEBUG`.
 class Parametric_surface_mesh_error
   : public std::runtime_error
 {
+  std::optional<std::size_t> m_face;
+
 public:
   explicit Parametric_surface_mesh_error(const std::string& what) : std::runtime_error(what) {}
+
+  /// an error that concerns one face of a model.
+  Parametric_surface_mesh_error(const std::string& what, std::size_t face) : std::runtime_error(what), m_face(face) {}
+
+  /// the number of the face of the model that cannot be meshed, if it is a certain one.
+  std::optional<std::size_t> face() const { return m_face; }
 };
 
 } // namespace CGAL

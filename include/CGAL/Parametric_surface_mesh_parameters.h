@@ -15,6 +15,7 @@ enum Vertex_uv_map_t { vertex_uv_map_tag };
 enum Halfedge_uv_map_t { halfedge_uv_map_tag };
 enum Face_patch_id_map_t { face_patch_id_map_tag };
 enum Metric_field_t { metric_field_tag };
+enum Leaves_out_bad_faces_t { leaves_out_bad_faces_tag };
 
 template <class Tag, class T>
 Named_function_parameters<T, Tag> named_parameter(const T& value)
@@ -88,6 +89,20 @@ auto metric_field(const MetricField& field, const Others&... others)
 {
   return Parametric_surface_mesher::internal::named_parameter<
     Parametric_surface_mesher::internal::Metric_field_t>(field, others...);
+}
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+the named parameter, a `bool`, that decides what happens if a face of a model cannot be meshed. With `true` the mesh is made
+without it, as if it had no boundary, and `Parametric_surface_mesh_report::left_out` tells why; with `false`, the default, an
+exception is thrown. The edges that it shares are divided for the other faces. See `vertex_uv_map()` on how to combine it.
+*/
+template <class... Others>
+auto leaves_out_bad_faces(bool b, const Others&... others)
+{
+  return Parametric_surface_mesher::internal::named_parameter<
+    Parametric_surface_mesher::internal::Leaves_out_bad_faces_t>(b, others...);
 }
 
 } // namespace parameters

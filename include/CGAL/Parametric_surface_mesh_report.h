@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +38,13 @@ struct Parametric_surface_mesh_report
     Unmet_cause cause;        ///< why
   };
 
+  /// a face of the model that the mesh is without: see `CGAL::parameters::leaves_out_bad_faces()`.
+  struct Left_out_face
+  {
+    std::size_t face;   ///< its number in the model
+    std::string reason; ///< the error that it causes
+  };
+
   /// processor time in seconds of each phase, of all threads together.
   struct Seconds
   {
@@ -63,11 +71,13 @@ struct Parametric_surface_mesh_report
   std::size_t number_of_faces = 0;
   std::size_t number_of_boundary_edges = 0; ///< of the division
   std::size_t number_of_split_boundary_edges = 0; ///< how often the division was refined because its straight segments crossed
+  std::size_t number_of_edges_split_by_closeness = 0; ///< how often a piece of the division was halved because its face is narrow there, or its neighbour short
   std::size_t number_of_replaced_tensors = 0; ///< points where the parametrisation is singular within an edge length, and chords gave the tensor in place of derivatives
   std::size_t number_of_collapsed_faces = 0; ///< triangles on collapsed sides, which have no area and are left out
   double smallest_angle = 180;             ///< over all triangles
   double smallest_angle_off_boundary = 180; ///< over the triangles that are not boundary-limited
   std::vector<Unmet> unmet;                ///< every triangle that fails a criterion
+  std::vector<Left_out_face> left_out;     ///< faces of the model that could not be meshed, by their numbers
   Seconds seconds;
 
   /// the number of triangles that fail `criterion` for `cause`.

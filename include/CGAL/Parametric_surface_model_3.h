@@ -9,6 +9,7 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -53,6 +54,7 @@ public:
     bool is_collapsed = false; ///< whether it is a point in space
     std::shared_ptr<const Space_curve> curve = nullptr; ///< the curve that is divided; without it, the image of the first use's curve
     double tolerance = 0; ///< how far apart its uses may be, if more than the model's tolerance
+    double max_edge = 0;  ///< the longest edge of its division, if less than that of the criteria; 0 for none of its own
   };
 
   /// one use of an edge in the loop of a face.
@@ -74,6 +76,9 @@ public:
     /// Faces of one shell are joined along an edge that two of them use; those of different shells are not, and an edge
     /// with three or more uses in one shell is a border of each of its faces. So the mesh of a shell is always manifold.
     std::size_t shell = 0;
+    double max_edge = 0; ///< the wanted edge length, if less than that of the criteria; 0 for none of its own
+    /// wanted edge lengths at the parameters `(u,v)`, if there is such a field, in place of that of the criteria
+    std::function<double(double u, double v)> sizing_field = nullptr;
   };
 
 private:
@@ -124,9 +129,18 @@ public:
   /// @{
   const std::vector<Point_3>& vertices() const { return m_vertices; }
   const std::vector<Edge>& edges() const { return m_edges; }
+  std::vector<Edge>& edges() { return m_edges; }
   const std::vector<Face>& faces() const { return m_faces; }
   std::vector<Face>& faces() { return m_faces; }
   /// @}
+
+  /// gives all faces, as they are now, a sizing field in space: `field` returns the wanted edge length at a point.
+  template <class Field>
+  void set_sizing_field(const Field& field)
+  {
+    for(Face& face : m_faces)
+      face.sizing_field = [surface = face.surface, field](double u, double v) { return field(surface.point(u, v)); };
+  }
 
   /// \name Tolerance
   /// @{

@@ -10,6 +10,7 @@
 #include <CGAL/Parametric_surface_mesh_parameters.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesh_visitor.h>
+#include <CGAL/Parametric_surface_mesher/internal/leave_out_bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/mesh_model.h>
 #include <CGAL/Parametric_surface_mesher/internal/model_of_patch.h>
 #include <CGAL/Parametric_surface_mesher/internal/separate_pieces.h>
@@ -19,6 +20,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <functional>
@@ -75,7 +77,7 @@ void output(const Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParam
 }
 
 // Meshes a model and hands the result over to `finish`, with the division. `Numbering` orders the points of the division.
-template <class Model, class Criteria, class NamedParameters, class Numbering, class Finish>
+template <class ConcurrencyTag, class Model, class Criteria, class NamedParameters, class Numbering, class Finish>
 Parametric_surface_mesh_report mesh_model(const Model& model, const Criteria& criteria, const NamedParameters& np,
                                           bool keeps_corner_points, Numbering number_points, Finish finish)
 {
@@ -92,7 +94,7 @@ Parametric_surface_mesh_report mesh_model(const Model& model, const Criteria& cr
   number_points(division);
   Indexed_mesh<Kernel> mesh;
   mesh.keeps_corner_points = keeps_corner_points;
-  mesher.mesh_faces(division, mesh);
+  mesher.template mesh_faces<ConcurrencyTag>(division, mesh);
   Phase_timer timer(report.seconds.output);
   visitor.on_phase("output");
   finish(division, mesh);
@@ -101,11 +103,11 @@ Parametric_surface_mesh_report mesh_model(const Model& model, const Criteria& cr
 }
 
 // Meshes a model into a face graph.
-template <class Model, class Criteria, class TriangleMesh, class NamedParameters, class Numbering>
+template <class ConcurrencyTag, class Model, class Criteria, class TriangleMesh, class NamedParameters, class Numbering>
 Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& model, const Criteria& criteria,
                                                const NamedParameters& np, Numbering number_points)
 {
-  return mesh_model(model, criteria, np, wants_corner_points<NamedParameters>(), number_points,
+  return mesh_model<ConcurrencyTag>(model, criteria, np, wants_corner_points<NamedParameters>(), number_points,
                     [&](const auto& division, auto& mesh) {
                       separate_pieces(mesh, shells(model), division.meeting_points());
                       output(mesh, tm, np);
@@ -185,7 +187,7 @@ make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<t
                              const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  return mesh_model_into(tm, model_of_patch(surface, domain), criteria, np,
+  return mesh_model_into<Sequential_tag>(tm, model_of_patch(surface, domain), criteria, np,
                          [](auto& division) { division.number_along_edges(); });
 }
 
@@ -206,6 +208,10 @@ at the end of the vertices. So the mesh is always manifold; for triangles that s
 
 The model is checked by `validate()` first.
 
+\tparam ConcurrencyTag `Sequential_tag` (default), `Parallel_tag` or `Parallel_if_available_tag`. With threads the faces are
+meshed at the same time, the largest first; the mesh is the same. It takes oneTBB (as for other CGAL packages, link with the
+target `CGAL::TBB_support`), surfaces and a sizing field that can be evaluated by several threads at a time, and
+the memory for all faces' triangulations together. A visitor is called by one thread at a time.
 \tparam Surface a model of `ParametricSurface_3`
 
 Criteria, mesh, named parameters, report and exceptions are as above; in addition:
@@ -217,16 +223,23 @@ Criteria, mesh, named parameters, report and exceptions are as above; in additio
                    as key type and `std::size_t` as value type}
     \cgalParamDefault{none}
   \cgalParamNEnd
+  \cgalParamNBegin{leaves_out_bad_faces}
+    \cgalParamDescription{whether a face that cannot be meshed is left out and reported, in place of an exception}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 */
-template <class Surface, class Criteria, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class Surface, class Criteria, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters>
 Parametric_surface_mesh_report
 make_parametric_surface_mesh(const Parametric_surface_model_3<Surface>& model, const Criteria& criteria,
                              TriangleMesh& tm, const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  validate(model);
-  return mesh_model_into(tm, model, criteria, np, [](auto& division) { division.number_vertices_first(); });
+  return mesh_valid_model(model, np, [&](const auto& valid_model) {
+    return mesh_model_into<ConcurrencyTag>(tm, valid_model, criteria, np, [](auto& division) { division.number_vertices_first(); });
+  });
 }
 
 } // namespace CGAL

@@ -20,8 +20,8 @@ an edge, so that a model with edges of three or more faces, or of several shells
 \tparam Criteria a model of `ParametricSurfaceMeshCriteria_2`, usually `Parametric_surface_mesh_criteria`
 \tparam Point_3 the point type of the surfaces
 \tparam Triangle an array of three numbers of points: `std::array<std::size_t, 3>`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `metric_field` and `visitor` as for
-`make_parametric_surface_mesh()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `metric_field`, `visitor` and
+`leaves_out_bad_faces` as for `make_parametric_surface_mesh()`
 
 \param model the model
 \param criteria what the triangles must meet
@@ -36,7 +36,7 @@ What the three ranges held before is lost, unless the input is refused: then the
 \return counts, smallest angles, what was not met and why, and the time of each phase
 \throws Parametric_surface_mesh_error as `make_parametric_surface_mesh()`
 */
-template <class Surface, class Criteria, class Point_3, class Triangle, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class Surface, class Criteria, class Point_3, class Triangle, class NamedParameters = parameters::Default_named_parameters>
 Parametric_surface_mesh_report
 make_parametric_surface_triangle_soup(const Parametric_surface_model_3<Surface>& model, const Criteria& criteria,
                                       std::vector<Point_3>& points, std::vector<Triangle>& triangles,
@@ -44,13 +44,14 @@ make_parametric_surface_triangle_soup(const Parametric_surface_model_3<Surface>&
                                       const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  validate(model);
-  return mesh_model(model, criteria, np, false, [](auto& division) { division.number_vertices_first(); },
-                    [&](const auto&, const auto& mesh) {
-                      points.assign(mesh.points.begin(), mesh.points.end());
-                      triangles.assign(mesh.faces.begin(), mesh.faces.end());
-                      patch_ids = mesh.patches;
-                    });
+  return mesh_valid_model(model, np, [&](const auto& valid_model) {
+    return mesh_model<ConcurrencyTag>(valid_model, criteria, np, false, [](auto& division) { division.number_vertices_first(); },
+                      [&](const auto&, const auto& mesh) {
+                        points.assign(mesh.points.begin(), mesh.points.end());
+                        triangles.assign(mesh.faces.begin(), mesh.faces.end());
+                        patch_ids = mesh.patches;
+                      });
+  });
 }
 
 } // namespace CGAL

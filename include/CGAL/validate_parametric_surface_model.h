@@ -8,6 +8,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Model_uses.h>
 #include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
 #include <CGAL/Parametric_surface_mesher/internal/describe.h>
+#include <CGAL/Parametric_surface_mesher/internal/name_face.h>
 #include <CGAL/Parametric_surface_model_3.h>
 
 #include <algorithm>
@@ -34,21 +35,27 @@ class Model_validation
   static const int number_of_samples = 9;
 
   const Model& m_model;
+  bool m_is_any_face_left_out;
   double m_tolerance = 0;
 
 public:
-  explicit Model_validation(const Model& model) : m_model(model) {}
+  // Faces that are left out have no loops.
+  explicit Model_validation(const Model& model, bool is_any_face_left_out = false)
+    : m_model(model), m_is_any_face_left_out(is_any_face_left_out)
+  {}
 
   void operator()()
   {
     for(std::size_t f = 0; f < m_model.faces().size(); ++f)
-      for(std::size_t l = 0; l < number_of_loops(f); ++l)
-        check_loop(f, l);
+      about_face(f, [&] {
+        for(std::size_t l = 0; l < number_of_loops(f); ++l)
+          check_loop(f, l);
+      });
     m_tolerance = m_model.tolerance() > 0 ? m_model.tolerance() : 1e-6 * model_diagonal(m_model);
     const Uses uses(m_model);
     for(std::size_t e : uses.order()) {
       for(const auto& use : uses[e])
-        check_use(use.face, *use.use, uses[e].front().face, *uses[e].front().use);
+        about_face(use.face, [&] { check_use(use.face, *use.use, uses[e].front().face, *uses[e].front().use); });
       check_orientation(e, uses);
     }
   }
@@ -58,7 +65,7 @@ private:
 
   std::size_t number_of_loops(std::size_t f) const
   {
-    if(m_model.faces()[f].loops.empty())
+    if(m_model.faces()[f].loops.empty() && !m_is_any_face_left_out)
       throw Parametric_surface_mesh_error(number("face", f) + " has no loop");
     return m_model.faces()[f].loops.size();
   }
@@ -173,7 +180,8 @@ private:
       if(shell.second.size() == 2 && uses.is_face_left(shell.second[0]) == uses.is_face_left(shell.second[1]))
         throw Parametric_surface_mesh_error("faces " + std::to_string(shell.second[0].face) + " and "
                                             + std::to_string(shell.second[1].face) + " face to different sides along "
-                                            + number("edge", e) + ": reverse one of them, or call orient_faces()");
+                                            + number("edge", e) + ": reverse one of them, or call orient_faces()",
+                                            shell.second[1].face);
   }
 };
 

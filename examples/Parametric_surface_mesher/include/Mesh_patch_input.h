@@ -39,11 +39,6 @@ struct Mesh_patch_input
 
 namespace mesh_patch {
 
-inline bool has_ending(const std::string& name, const std::string& ending)
-{
-  return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
-}
-
 // The model as input, with a patch for each face.
 inline Mesh_patch_input model_input(const std::string& name, Sample_surface_model model)
 {
@@ -57,11 +52,6 @@ inline Mesh_patch_input read_model(const std::string& file_name)
 {
   const auto model = CGAL::make_model_of_rectangular_patches(CGAL::IO::read_bezier_patches(file_name));
   return model_input(file_name.substr(file_name.find_last_of('/') + 1), sample_surface_model(model));
-}
-
-inline std::string plural(std::size_t n, const std::string& what, const std::string& several = std::string())
-{
-  return std::to_string(n) + " " + (n == 1 ? what : several.empty() ? what + "s" : several);
 }
 
 inline void check_division(const std::string& name, std::size_t expected, const std::string& places, std::size_t given)

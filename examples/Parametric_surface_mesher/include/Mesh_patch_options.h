@@ -6,25 +6,18 @@
 #define MESH_PATCH_OPTIONS_H
 
 #include "Sample_models.h"
+#include "Usage_error.h"
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 
 #include <boost/program_options.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
-
-// A command line that cannot be followed; the message says what to change.
-struct Usage_error : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
 
 struct Mesh_patch_options
 {
@@ -42,16 +35,6 @@ struct Mesh_patch_options
 };
 
 namespace mesh_patch {
-
-namespace po = boost::program_options;
-
-inline std::string joined(const std::vector<std::string>& words)
-{
-  std::string result;
-  for(const std::string& word : words)
-    result += (result.empty() ? "" : " ") + word;
-  return result;
-}
 
 inline std::string introduction()
 {
@@ -164,18 +147,6 @@ inline std::vector<unsigned int> numbers_in(const std::string& list)
     result.push_back(static_cast<unsigned int>(std::stoul(item)));
   }
   return result;
-}
-
-inline void check_positive(const po::variables_map& given, const std::string& option)
-{
-  if(given.count(option) == 0)
-    return;
-  const double value = given[option].as<double>();
-  if(!(value > 0) || !std::isfinite(value)) {
-    std::ostringstream message;
-    message << "--" << option << ": " << value << " must be a finite number greater than 0";
-    throw Usage_error(message.str());
-  }
 }
 
 inline void check_values(const po::variables_map& given, const Mesh_patch_options& o)

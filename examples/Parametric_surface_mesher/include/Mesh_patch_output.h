@@ -11,13 +11,9 @@
 #include "Model_counts.h"
 #include "Output_files.h"
 #include "Patch_triangles.h"
+#include "Unmet_count.h"
+#include "write_mesh_file.h"
 #include "write_mesh_picture.h"
-
-#include <CGAL/Surface_mesh/IO.h>
-#include <CGAL/boost/graph/IO/OBJ.h>
-#include <CGAL/boost/graph/IO/OFF.h>
-#include <CGAL/boost/graph/IO/PLY.h>
-#include <CGAL/boost/graph/IO/STL.h>
 
 #include <nlohmann/json.hpp>
 
@@ -31,34 +27,6 @@
 #include <vector>
 
 namespace mesh_patch {
-
-// The mesh in the format of the file's ending.
-inline void write_mesh(std::ostream& out, const std::string& file_name, const Mesh& mesh)
-{
-  const auto precision = CGAL::parameters::stream_precision(17);
-  bool is_written = false;
-  if(has_ending(file_name, ".off"))
-    is_written = CGAL::IO::write_OFF(out, mesh, precision);
-  else if(has_ending(file_name, ".obj"))
-    is_written = CGAL::IO::write_OBJ(out, mesh, precision);
-  else if(has_ending(file_name, ".ply"))
-    is_written = CGAL::IO::write_PLY(out, mesh, precision);
-  else // as text, since a binary .stl has single precision
-    is_written = CGAL::IO::write_STL(out, mesh, precision);
-  if(!is_written)
-    out.setstate(std::ios::failbit);
-}
-
-inline void check_ending(const std::string& option, const std::string& file_name, const std::vector<std::string>& endings)
-{
-  std::string list;
-  for(const std::string& ending : endings) {
-    if(has_ending(file_name, ending))
-      return;
-    list += (list.empty() ? "" : " or ") + ending;
-  }
-  throw Usage_error("--" + option + ": the file name " + file_name + " must end in " + list);
-}
 
 // All patches as one mesh of points (u,v,0).
 inline Mesh domain_mesh(const Mesh_patch_result& result)
@@ -104,32 +72,6 @@ inline void write_uv_picture(std::ostream& out, const Mesh_patch_input& input, c
   const Mesh mesh = domain_mesh(result);
   const auto arrays = mesh_picture::arrays<2>(mesh, [&](auto v) { return mesh.point(v); });
   write_domain_picture(out, arrays.first, arrays.second, picture);
-}
-
-struct Unmet_count
-{
-  const char *criterion, *cause;
-  std::size_t triangles;
-};
-
-// The triangles that fail, by criterion and cause, without those that there are none of.
-inline std::vector<Unmet_count> unmet_counts(const CGAL::Parametric_surface_mesh_report& report)
-{
-  using CGAL::Mesh_criterion;
-  using CGAL::Unmet_cause;
-  static const std::pair<Mesh_criterion, const char*> criteria[]
-    = {{Mesh_criterion::SIZE, "size"}, {Mesh_criterion::ANGLE, "angle"}, {Mesh_criterion::DEVIATION, "deviation"},
-       {Mesh_criterion::DISTANCE, "distance"}};
-  static const std::pair<Unmet_cause, const char*> causes[]
-    = {{Unmet_cause::BOUNDARY, "boundary"}, {Unmet_cause::MINIMUM_EDGE, "minimum edge"},
-       {Unmet_cause::NO_BETTER_POINT, "lack of a better point"}, {Unmet_cause::VERTEX_LIMIT, "vertex limit"},
-       {Unmet_cause::STOPPED, "stopped"}};
-  std::vector<Unmet_count> result;
-  for(const auto& cause : causes)
-    for(const auto& criterion : criteria)
-      if(const std::size_t n = report.count(criterion.first, cause.first))
-        result.push_back({criterion.second, cause.second, n});
-  return result;
 }
 
 inline nlohmann::ordered_json json_of_model(const Model_counts& counts)

@@ -48,21 +48,12 @@ public:
         with_name_of_face(m_division.model(), face, [&] { collect(face, pieces); });
       number_of_splits += pieces.size();
       m_division.split(pieces);
-      faces = faces_at(pieces);
+      faces = m_division.faces_at(pieces);
     }
     return number_of_splits;
   }
 
 private:
-  std::vector<std::size_t> faces_at(const std::set<Piece>& pieces) const
-  {
-    std::set<std::size_t> result;
-    for(const Piece& piece : pieces)
-      for(const auto& use : m_division.uses()[piece.edge])
-        result.insert(use.face);
-    return std::vector<std::size_t>(result.begin(), result.end());
-  }
-
   // The segments must not cross in the domain, nor in the chart where they are straight instead.
   void collect(std::size_t face, std::set<Piece>& pieces) const
   {

@@ -10,6 +10,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Model_uses.h>
 #include <CGAL/Parametric_surface_mesher/internal/Pointed_apex.h>
+#include <CGAL/Parametric_surface_mesher/internal/name_face.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/divide_curve.h>
 
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +26,27 @@
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
+
+// Lowers the maximum edge length, and the minimum with it.
+template <class Criteria>
+void limit_max_edge(double length, Criteria& criteria)
+{
+  if(!(length > 0) || length >= criteria.max_edge())
+    return;
+  criteria.set_max_edge(length);
+  criteria.set_min_edge((std::min)(criteria.min_edge(), length));
+}
+
+// The criteria with the sizes of a face of a model.
+template <class Criteria, class Face>
+Criteria criteria_of_face(const Criteria& criteria, const Face& face)
+{
+  Criteria result = criteria;
+  limit_max_edge(face.max_edge, result);
+  if(face.sizing_field)
+    result.set_sizing_field(face.sizing_field);
+  return result;
+}
 
 // The edges of a model, each divided once: its curve in space, or that on the first face that uses it, with the sizes of
 // all faces that do.
@@ -66,6 +89,7 @@ private:
   const std::vector<Oracle>& m_oracles; // of the faces
   const Parametric_surface_mesh_criteria& m_criteria;
   Model_uses<Model> m_uses;
+  std::vector<Parametric_surface_mesh_criteria> m_face_criteria;
   std::vector<Boundary_size<Oracle>> m_sizes; // of the faces
   std::vector<Division> m_divisions;          // of the edges
   std::vector<std::size_t> m_vertex_indices;  // in the mesh
@@ -77,14 +101,17 @@ public:
     : m_model(model), m_oracles(oracles), m_criteria(criteria), m_uses(model), m_divisions(model.edges().size())
   {
     const auto curve = [](const Edge_use& use) -> const auto& { return use.curve; };
+    for(const auto& face : model.faces())
+      m_face_criteria.push_back(criteria_of_face(criteria, face));
     for(std::size_t f = 0; f < model.faces().size(); ++f)
-      m_sizes.emplace_back(oracles[f], criteria, domain_box(model.faces()[f].loops, curve));
+      m_sizes.emplace_back(oracles[f], m_face_criteria[f], domain_box(model.faces()[f].loops, curve));
     const std::vector<std::size_t> least_numbers = least_numbers_of_pieces();
     const Pointed_apexes<Model> apexes(model);
-    for(std::size_t edge : m_uses.order()) {
-      divide(edge, least_numbers[edge]);
-      join_at_apexes(edge, least_numbers[edge], apexes);
-    }
+    for(std::size_t edge : m_uses.order())
+      about_face(m_uses[edge].front().face, [&] {
+        divide(edge, least_numbers[edge]);
+        join_at_apexes(edge, least_numbers[edge], apexes);
+      });
     number_vertices_first();
   }
 
@@ -159,6 +186,17 @@ public:
       split(edge, numbers);
     }
     number_vertices_first();
+  }
+
+  // the faces that use the edges of pieces
+  template <class Pieces>
+  std::vector<std::size_t> faces_at(const Pieces& pieces) const
+  {
+    std::set<std::size_t> result;
+    for(const Piece& piece : pieces)
+      for(const auto& use : m_uses[piece.edge])
+        result.insert(use.face);
+    return std::vector<std::size_t>(result.begin(), result.end());
   }
 
   // the divided boundary of a face
@@ -278,7 +316,7 @@ private:
       if(m_model.edges()[number].is_collapsed)
         division.parameters = {curve.begin(), curve.end()};
       else
-        division.parameters = divide_curve(curve, m_criteria, [&](double t) { return spacing_limit(number, t); },
+        division.parameters = divide_curve(curve, criteria_of_edge(number), [&](double t) { return spacing_limit(number, t); },
                                            least_number_of_pieces, prescribed);
       for(double t : division.parameters)
         division.points.push_back(curve.point(t));
@@ -304,12 +342,22 @@ private:
       };
       const std::size_t vertex = is_at_source ? m_model.edges()[edge].source : m_model.edges()[edge].target;
       const double length = std::sqrt(squared_length(0, 2));
-      if(length <= m_criteria.max_edge() && squared_length(1, 2) < 1.1 * squared_length(0, 1)
+      if(length <= criteria_of_edge(edge).max_edge() && squared_length(1, 2) < 1.1 * squared_length(0, 1)
          && apexes.asks_for_one_piece(edge, vertex, length, m_criteria.min_edge())) {
         division.parameters.erase(division.parameters.begin() + (is_at_source ? 1 : n - 1));
         division.points.erase(division.points.begin() + (is_at_source ? 1 : n - 1));
       }
     }
+  }
+
+  // with the smallest of the sizes that the edge and its faces have of their own
+  Parametric_surface_mesh_criteria criteria_of_edge(std::size_t edge) const
+  {
+    Parametric_surface_mesh_criteria result = m_criteria;
+    limit_max_edge(m_model.edges()[edge].max_edge, result);
+    for(const Use& use : m_uses[edge])
+      limit_max_edge(m_model.faces()[use.face].max_edge, result);
+    return result;
   }
 
   double spacing_limit(std::size_t edge, double t) const

@@ -19,6 +19,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulate_boundary.h>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -95,6 +96,11 @@ public:
     if(!m_refine.is_stopped())
       in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_refine.is_bad()); });
   }
+
+  // the divided boundary, in the domain
+  const Boundary_loops<Kernel>& loops() const { return m_loops; }
+
+  std::size_t number_of_inner_vertices() const { return m_triangulation.number_of_vertices() - m_boundary_vertices.size(); }
 
   // Appends the triangles to `mesh`, and what is to be told of them to `report`.
   // `chords`: what joins boundary vertices of the patch's shell.

@@ -6,12 +6,15 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/Closeness_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Crossing_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_mesher.h>
+#include <CGAL/Parametric_surface_mesher/internal/Synchronized_visitor.h>
 #include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
 #include <CGAL/Parametric_surface_mesher/internal/describe.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_mesher.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>
 #include <CGAL/Parametric_surface_mesher/internal/name_face.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Parametric_surface_oracle_3.h>
@@ -19,6 +22,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <exception>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -69,7 +74,7 @@ public:
 private:
   const Model& m_model;
   Criteria m_criteria;
-  Visitor& m_visitor;
+  Synchronized_visitor<Visitor> m_visitor;
   std::vector<Oracle> m_oracles;
   Parametric_surface_mesh_report& m_report;
 
@@ -90,43 +95,124 @@ public:
     Division division(m_model, m_oracles, m_criteria);
     Crossing_refinement<Oracle> refine(division, m_oracles);
     m_report.number_of_split_boundary_edges = refine();
+    if(m_criteria.closeness() > 0) {
+      Closeness_refinement<Oracle> refine_narrow_faces(division, m_oracles, m_criteria);
+      m_report.number_of_edges_split_by_closeness = refine_narrow_faces();
+      m_report.number_of_split_boundary_edges += refine();
+    }
     m_report.number_of_boundary_edges = division.number_of_edges();
     return division;
   }
 
+  // The mesh is the same with and without threads.
   // \pre the mesh is empty
+  template <class ConcurrencyTag>
   void mesh_faces(const Division& division, Mesh& mesh)
   {
     division.append_to(mesh);
-    for(std::size_t f = 0; f < m_model.faces().size(); ++f)
-      with_name_of_face(m_model, f, [&] { mesh_face(f, division, mesh); });
+    if(!is_parallel<ConcurrencyTag>() || !mesh_faces_at_the_same_time<ConcurrencyTag>(division, mesh))
+      for(std::size_t f = 0; f < m_model.faces().size(); ++f)
+        if(!m_model.faces()[f].loops.empty()) // else it was left out
+          with_name_of_face(m_model, f, [&] {
+            const Loops loops = division.boundary_loops(f);
+            Face_mesher mesher(m_oracles[f], criteria_of_face(f, loops, mesh.points.size()), loops, m_visitor);
+            mesher();
+            collect(f, mesher, mesh);
+          });
     m_report.number_of_faces = mesh.faces.size();
   }
 
 private:
-  void mesh_face(std::size_t number, const Division& division, Mesh& mesh)
+  typedef Patch_mesher<Oracle, Criteria, Synchronized_visitor<Visitor>> Face_mesher;
+
+  typedef Boundary_loops<typename Model::Geom_traits> Loops;
+
+  // a face that is meshed while others are
+  struct Task
+  {
+    std::size_t face;
+    Loops loops;
+    std::unique_ptr<Face_mesher> mesher;
+    std::exception_ptr error;
+  };
+
+  // Returns false, with the mesh as it was, if there are as many vertices as are allowed: then each face may have but what
+  // those before it have left.
+  template <class ConcurrencyTag>
+  bool mesh_faces_at_the_same_time(const Division& division, Mesh& mesh)
+  {
+    std::vector<Task> tasks = tasks_by_size(division);
+    for_each_index<ConcurrencyTag>(tasks.size(), [&](std::size_t i) { run(tasks[i], mesh.points.size()); });
+    std::sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.face < b.face; });
+    std::size_t number_of_vertices = mesh.points.size();
+    for(const Task& task : tasks)
+      if(!task.error)
+        number_of_vertices += task.mesher->number_of_inner_vertices();
+    if(number_of_vertices >= m_criteria.max_number_of_vertices())
+      return false;
+    for(Task& task : tasks) {
+      if(task.error)
+        std::rethrow_exception(task.error);
+      with_name_of_face(m_model, task.face, [&] { collect(task.face, *task.mesher, mesh); });
+      task.mesher.reset();
+    }
+    return true;
+  }
+
+  // the largest faces, by the edges of their boundaries, first
+  std::vector<Task> tasks_by_size(const Division& division) const
+  {
+    std::vector<Task> result;
+    for(std::size_t f = 0; f < m_model.faces().size(); ++f)
+      if(!m_model.faces()[f].loops.empty())
+        result.push_back({f, division.boundary_loops(f), nullptr, nullptr});
+    std::stable_sort(result.begin(), result.end(), [](const Task& a, const Task& b) {
+      return number_of_edges(a.loops) > number_of_edges(b.loops);
+    });
+    return result;
+  }
+
+  void run(Task& task, std::size_t number_of_vertices) noexcept
+  {
+    try {
+      with_name_of_face(m_model, task.face, [&] {
+        task.mesher = std::make_unique<Face_mesher>(m_oracles[task.face], criteria_of_face(task.face, task.loops, number_of_vertices),
+                                                    task.loops, m_visitor);
+        (*task.mesher)();
+      });
+    }
+    catch(...) {
+      task.error = std::current_exception();
+    }
+  }
+
+  void collect(std::size_t number, Face_mesher& mesher, Mesh& mesh)
   {
     const auto& face = m_model.faces()[number];
     const std::size_t first = mesh.faces.size();
-    const auto loops = division.boundary_loops(number);
-    for(const auto& loop : loops)
+    for(const auto& loop : mesher.loops())
       for(const auto& vertex : loop)
         mesh.domain_points[vertex.index] = vertex.domain_point;
-    mesh_divided_patch(m_oracles[number], criteria_of_face(loops, mesh), loops, m_visitor, mesh, mesh.chords[face.shell], m_report);
+    mesher.collect(mesh, mesh.chords[face.shell], m_report);
     if(face.is_reversed)
       mesh.reverse_faces(first);
     mesh.patches.resize(mesh.faces.size(), number);
   }
 
-  // the number of vertices is limited for all faces together
-  template <class Loops>
-  Criteria criteria_of_face(const Loops& loops, const Mesh& mesh) const
+  static std::size_t number_of_edges(const Loops& loops)
   {
-    std::size_t limit = m_criteria.max_number_of_vertices() - (std::min)(m_criteria.max_number_of_vertices(), mesh.points.size());
+    std::size_t result = 0;
     for(const auto& loop : loops)
-      limit += loop.size();
-    Criteria result = m_criteria;
-    result.set_max_number_of_vertices(limit);
+      result += loop.size();
+    return result;
+  }
+
+  // the number of vertices is limited for all faces together
+  Criteria criteria_of_face(std::size_t face, const Loops& loops, std::size_t number_of_vertices) const
+  {
+    const std::size_t limit = m_criteria.max_number_of_vertices();
+    Criteria result = internal::criteria_of_face(m_criteria, m_model.faces()[face]);
+    result.set_max_number_of_vertices(limit - (std::min)(limit, number_of_vertices) + number_of_edges(loops));
     return result;
   }
 };

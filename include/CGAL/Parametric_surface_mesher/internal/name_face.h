@@ -12,7 +12,19 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Calls `function`; errors name the face, if the model has several.
+// Calls `function`; errors carry the number of the face.
+template <class Function>
+auto about_face(std::size_t face, Function function)
+{
+  try {
+    return function();
+  }
+  catch(const Parametric_surface_mesh_error& error) {
+    throw Parametric_surface_mesh_error(error.what(), face);
+  }
+}
+
+// Calls `function`; errors carry the number of the face, and name it if the model has several.
 template <class Model, class Function>
 auto with_name_of_face(const Model& model, std::size_t face, Function function)
 {
@@ -20,9 +32,8 @@ auto with_name_of_face(const Model& model, std::size_t face, Function function)
     return function();
   }
   catch(const Parametric_surface_mesh_error& error) {
-    if(model.faces().size() == 1)
-      throw;
-    throw Parametric_surface_mesh_error("face " + std::to_string(face) + ": " + error.what());
+    const std::string name = model.faces().size() == 1 ? "" : "face " + std::to_string(face) + ": ";
+    throw Parametric_surface_mesh_error(name + error.what(), face);
   }
 }
 

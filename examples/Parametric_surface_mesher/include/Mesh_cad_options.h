@@ -1,0 +1,188 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command line of mesh_cad.
+#ifndef MESH_CAD_OPTIONS_H
+#define MESH_CAD_OPTIONS_H
+
+#include "Usage_error.h"
+
+#include <boost/program_options.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <ostream>
+#include <set>
+#include <sstream>
+#include <string>
+
+struct Mesh_cad_options
+{
+  std::string input, out, picture, json, unit = "MM";
+  std::string face_list, face_sizes, edge_sizes;
+  double max_edge = 0, min_edge = 0, distance = 0; // 0 if not given
+  double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8;
+  std::set<std::size_t> faces;                                 // from `face_list`; empty for all
+  std::map<std::size_t, double> max_edge_of_face, max_edge_of_edge; // from the lists of sizes
+  bool is_healing_wanted = false, is_quiet = false, is_help_wanted = false;
+};
+
+namespace mesh_cad {
+
+namespace po = boost::program_options;
+
+const char* const introduction =
+  "Usage: mesh_cad INPUT [OPTION]...\n"
+  "\n"
+  "Meshes the faces of a CAD file and prints what came out.\n"
+  "\n"
+  "INPUT is a STEP (.step .stp), IGES (.iges .igs) or BREP file (.brep .rle) with faces.\n";
+
+const char* const conclusion =
+  "\n"
+  "Faces and edges are counted from 1, as Open CASCADE and Gmsh count them. The files .vtu, .msh\n"
+  "and .inp tell the face of each triangle. In the file the triangles of a solid face outward.\n"
+  "\n"
+  "A face that cannot be meshed is left out and listed with the reason; the others are meshed.\n"
+  "The numbers of --json are, among others:\n"
+  "  faces, meshed_faces, left_out  faces of the shape, those in the mesh, and the others\n"
+  "  triangles, vertices, min_angle, mean_min_angle, mean_radius_ratio\n"
+  "  below_10, below_10_at_corners  triangles with an angle below 10 degrees, and those of them\n"
+  "                                 with that angle in a corner of a face that is as sharp\n"
+  "  closed, shape_closed           whether the mesh, and the shape, has no border\n"
+  "  distance                       largest distance measured from surfaces and edges to the mesh;\n"
+  "  distance_over_diagonal         over the diagonal of the shape's box\n"
+  "  largest_gap                    between an edge and a curve in the domain of a face\n"
+  "  seconds                        processor time: reading, model, meshing, measuring\n"
+  "\n"
+  "Exit status: 0 if all faces are meshed; 1 if some are left out, and the files are written\n"
+  "without them; 2 after an error, which is one line on the standard error output, and no file\n"
+  "is written.\n";
+
+inline po::options_description described_options(Mesh_cad_options& o)
+{
+  const auto number = [](double& target) { return po::value<double>(&target)->value_name("X"); };
+  const auto text = [](std::string& target, const char* name) { return po::value<std::string>(&target)->value_name(name); };
+  po::options_description criteria("Criteria (default)", 92);
+  criteria.add_options()
+    ("max-edge", number(o.max_edge), "wanted edge length where nothing asks for less (1/20 of the diagonal)")
+    ("min-edge", number(o.min_edge), "no edge is divided into pieces shorter than this (1/1000 of the diagonal, or --max-edge if that is less)")
+    ("gamma", number(o.gamma), "largest deviation ratio H/L of an edge: arc height over length (0.05)")
+    ("distance", number(o.distance), "largest distance from a surface to its triangles (--relative-distance)")
+    ("relative-distance", number(o.relative_distance), "the same over the diagonal of the shape's box (0.0005)")
+    ("angle", number(o.angle), "smallest angle in degrees, at least 0 and below 60 (30)")
+    ("closeness", number(o.closeness), "longest piece of a boundary over the width of its face there (1.8)")
+    ("face-size", text(o.face_sizes, "F:L,..."), "wanted edge lengths of single faces: a shorter one for face 3 by 3:0.5")
+    ("edge-size", text(o.edge_sizes, "E:L,..."), "the same for edges of the shape");
+  po::options_description input("Input", 92);
+  input.add_options()
+    ("faces", text(o.face_list, "LIST"), "mesh these faces only: 1,4,7-9")
+    ("unit", text(o.unit, "UNIT"), "unit of length of the result: MM, CM, M, KM, INCH, FT ... (MM); a BREP file has none")
+    ("heal", po::bool_switch(&o.is_healing_wanted), "let Open CASCADE repair the shape first (ShapeFix_Shape)");
+  po::options_description output("Output", 92);
+  output.add_options()
+    ("out", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh or .inp")
+    ("picture", text(o.picture, "FILE"), "a picture of the mesh, as .svg")
+    ("json", text(o.json, "FILE"), "the results in numbers, as .json")
+    ("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors")
+    ("help", po::bool_switch(&o.is_help_wanted), "print this and stop");
+  return criteria.add(input).add(output);
+}
+
+inline void print_help(std::ostream& out)
+{
+  Mesh_cad_options defaults;
+  out << introduction << "\n" << described_options(defaults) << conclusion;
+}
+
+inline std::size_t positive_number(const std::string& option, const std::string& word)
+{
+  const bool is_number = !word.empty() && word.size() < 10 && word.find_first_not_of("0123456789") == std::string::npos;
+  if(!is_number || std::stoul(word) == 0)
+    throw Usage_error("--" + option + ": '" + word + "' must be a whole number, at least 1");
+  return std::stoul(word);
+}
+
+// the numbers in a list like "1,4,7-9"
+inline std::set<std::size_t> numbers_in(const std::string& option, const std::string& list)
+{
+  std::set<std::size_t> result;
+  std::istringstream items(list + ",");
+  for(std::string item; std::getline(items, item, ',');) {
+    const std::size_t dash = item.find('-');
+    const std::size_t first = positive_number(option, item.substr(0, dash)),
+                      last = dash == std::string::npos ? first : positive_number(option, item.substr(dash + 1));
+    if(last < first || last - first > 1000000)
+      throw Usage_error("--" + option + ": '" + item + "' is no range");
+    for(std::size_t i = first; i <= last; ++i)
+      result.insert(i);
+  }
+  return result;
+}
+
+// the lengths in a list like "3:0.5,7:0.25"
+inline std::map<std::size_t, double> sizes_in(const std::string& option, const std::string& list)
+{
+  std::map<std::size_t, double> result;
+  std::istringstream items(list + ",");
+  for(std::string item; std::getline(items, item, ',');) {
+    const std::size_t colon = item.find(':');
+    const std::size_t number = positive_number(option, item.substr(0, colon));
+    std::istringstream length(colon == std::string::npos ? "" : item.substr(colon + 1));
+    double value = 0;
+    if(!(length >> value) || !length.eof() || !(value > 0) || !std::isfinite(value))
+      throw Usage_error("--" + option + ": '" + item + "' must be a number, a colon and a positive length");
+    result[number] = value;
+  }
+  return result;
+}
+
+inline void check_values(const po::variables_map& given, const Mesh_cad_options& o)
+{
+  for(const char* option : {"max-edge", "min-edge", "gamma", "distance", "relative-distance", "closeness"})
+    mesh_patch::check_positive(given, option);
+  if(!(o.angle >= 0 && o.angle < 60))
+    throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
+  if(o.max_edge > 0 && o.min_edge > o.max_edge)
+    throw Usage_error("--min-edge must not be larger than --max-edge");
+}
+
+} // namespace mesh_cad
+
+// Reads the command line; throws Usage_error.
+inline Mesh_cad_options read_mesh_cad_options(int argc, char** argv)
+{
+  using namespace mesh_cad;
+  Mesh_cad_options o;
+  po::options_description options = described_options(o);
+  options.add_options()("input", po::value<std::string>(&o.input));
+  po::positional_options_description positional;
+  positional.add("input", 1);
+  po::variables_map given;
+  try {
+    const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).style(style).run(), given);
+    po::notify(given);
+  }
+  catch(const po::too_many_positional_options_error&) {
+    throw Usage_error("more than one input file is given; --help lists the options");
+  }
+  catch(const po::error& error) {
+    throw Usage_error(std::string(error.what()) + "; --help lists the options");
+  }
+  if(o.is_help_wanted)
+    return o;
+  if(o.input.empty())
+    throw Usage_error("no input file is given; --help lists the options");
+  check_values(given, o);
+  if(given.count("faces") != 0)
+    o.faces = numbers_in("faces", o.face_list);
+  if(given.count("face-size") != 0)
+    o.max_edge_of_face = sizes_in("face-size", o.face_sizes);
+  if(given.count("edge-size") != 0)
+    o.max_edge_of_edge = sizes_in("edge-size", o.edge_sizes);
+  return o;
+}
+
+#endif // MESH_CAD_OPTIONS_H

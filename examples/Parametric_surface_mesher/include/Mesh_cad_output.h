@@ -1,0 +1,178 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The files and the summary of mesh_cad.
+#ifndef MESH_CAD_OUTPUT_H
+#define MESH_CAD_OUTPUT_H
+
+#include "Mesh_cad_options.h"
+#include "Mesh_cad_result.h"
+#include "Output_files.h"
+#include "Unmet_count.h"
+#include "write_element_file.h"
+#include "write_mesh_file.h"
+#include "write_surface_picture.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <utility>
+
+namespace mesh_cad {
+
+inline std::string title(const Mesh_cad_options& options)
+{
+  return options.input.substr(options.input.find_last_of('/') + 1);
+}
+
+inline Elements elements(const Mesh_cad_result& result)
+{
+  Elements elements;
+  auto arrays = mesh_picture::arrays<3>(result.mesh.mesh, [&](auto v) { return result.mesh.mesh.point(v); });
+  elements.points = std::move(arrays.first);
+  elements.triangles = std::move(arrays.second);
+  for(const auto face : result.mesh.mesh.faces())
+    elements.face_ids.push_back(result.shape.shape_faces[result.mesh.patch[face]] + 1);
+  return elements;
+}
+
+inline void write_result(std::ostream& out, const std::string& file_name, const Mesh_cad_result& result)
+{
+  if(mesh_patch::has_ending(file_name, ".vtu"))
+    write_vtu(out, elements(result));
+  else if(mesh_patch::has_ending(file_name, ".msh"))
+    write_msh(out, elements(result));
+  else if(mesh_patch::has_ending(file_name, ".inp"))
+    write_inp(out, elements(result));
+  else
+    mesh_patch::write_mesh(out, file_name, result.mesh.mesh);
+}
+
+inline void write_picture(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  Surface_picture_options picture;
+  picture.title = title(options);
+  const Elements mesh = elements(result);
+  write_surface_picture(out, mesh.points, mesh.triangles, picture);
+}
+
+inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
+{
+  const auto& shape = result.shape;
+  nlohmann::ordered_json left_out = nlohmann::ordered_json::array(), gaps = nlohmann::ordered_json::array();
+  for(const auto& face : result.left_out)
+    left_out.push_back({{"face", face.shape_face + 1}, {"reason", face.reason}});
+  for(const auto& gap : shape.gaps)
+    gaps.push_back({{"edge", gap.shape_edge + 1}, {"face", gap.shape_face + 1}, {"distance", gap.distance}, {"tolerance", gap.tolerance}});
+  return {{"diagonal", shape.diagonal},
+          {"faces", shape.number_of_shape_faces},
+          {"edges", shape.number_of_shape_edges},
+          {"meshed_faces", std::set<std::size_t>(shape.shape_faces.begin(), shape.shape_faces.end()).size() - result.report.left_out.size()},
+          {"left_out", left_out},
+          {"shape_closed", shape.is_shape_closed},
+          {"largest_gap", shape.largest_gap},
+          {"gaps_above_tolerance", gaps},
+          {"rebuilt_curves", shape.number_of_rebuilt_curves},
+          {"removed_slits", shape.number_of_removed_slits},
+          {"reversed_faces", shape.number_of_reversed_faces}};
+}
+
+inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
+{
+  const auto& q = result.quality;
+  const auto& m = result.measures;
+  nlohmann::ordered_json unmet = nlohmann::ordered_json::array();
+  for(const mesh_patch::Unmet_count& count : mesh_patch::unmet_counts(result.report))
+    unmet.push_back({{"criterion", count.criterion}, {"cause", count.cause}, {"triangles", count.triangles}});
+  return {{"max_edge", result.criteria.max_edge()},
+          {"min_edge", result.criteria.min_edge()},
+          {"gamma", result.criteria.gamma()},
+          {"angle", result.criteria.angle()},
+          {"vertices", q.number_of_vertices},
+          {"triangles", q.number_of_faces},
+          {"area", q.area},
+          {"closed", q.is_closed},
+          {"border_edges", m.border_edges},
+          {"components", q.number_of_connected_components},
+          {"min_angle", q.min_angle},
+          {"mean_min_angle", q.mean_min_angle},
+          {"mean_radius_ratio", q.mean_radius_ratio},
+          {"below_10", m.below_10},
+          {"below_10_at_corners", m.below_10_at_corners},
+          {"distance", m.distance},
+          {"distance_over_diagonal", m.distance / result.shape.diagonal},
+          {"unmet_by", unmet},
+          {"seconds", {{"reading", result.reading_seconds}, {"model", result.model_seconds},
+                       {"meshing", result.meshing_seconds}, {"measuring", result.measuring_seconds}}}};
+}
+
+inline void write_json(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  nlohmann::ordered_json json = {{"name", title(options)}};
+  json.update(json_of_shape(result));
+  json.update(json_of_mesh(result));
+  out << json.dump(2) << "\n";
+}
+
+// The files that the options ask for; throws if one of them could not be written later.
+inline Output_files output_files(const Mesh_cad_options& o, const Mesh_cad_result& result)
+{
+  Output_files files;
+  const auto add = [&](const char* option, const std::string& name, const std::vector<std::string>& endings,
+                       Output_files::Writer write) {
+    if(name.empty())
+      return;
+    mesh_patch::check_ending(option, name, endings);
+    files.add(name, std::move(write));
+  };
+  add("out", o.out, {".off", ".obj", ".ply", ".stl", ".vtu", ".msh", ".inp"},
+      [&](std::ostream& out) { write_result(out, o.out, result); });
+  add("picture", o.picture, {".svg"}, [&](std::ostream& out) { write_picture(out, o, result); });
+  add("json", o.json, {".json"}, [&](std::ostream& out) { write_json(out, o, result); });
+  return files;
+}
+
+inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
+{
+  const auto& shape = result.shape;
+  for(const auto& face : result.left_out)
+    out << "  LEFT OUT face " << face.shape_face + 1 << ": " << face.reason << "\n";
+  if(!shape.gaps.empty())
+    out << "  " << mesh_patch::plural(shape.gaps.size(), "use") << " of edges off by more than the tolerance of the file, by up to "
+        << shape.largest_gap << "\n";
+  if(shape.number_of_rebuilt_curves > 0)
+    out << "  " << mesh_patch::plural(shape.number_of_rebuilt_curves, "curve") << " in domains made anew\n";
+  if(shape.number_of_reversed_faces > 0)
+    out << "  " << mesh_patch::plural(shape.number_of_reversed_faces, "face") << " turned to the side of their neighbours\n";
+}
+
+inline void print_summary(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  const auto& q = result.quality;
+  const auto& m = result.measures;
+  out.precision(4);
+  out << title(options) << ": " << mesh_patch::plural(result.shape.number_of_shape_faces, "face") << ", "
+      << mesh_patch::plural(q.number_of_vertices, "vertex", "vertices") << ", "
+      << mesh_patch::plural(q.number_of_faces, "triangle") << ", "
+      << (q.is_closed ? "closed" : mesh_patch::plural(q.number_of_boundary_cycles, "border"));
+  if(q.is_closed != result.shape.is_shape_closed && options.faces.empty())
+    out << (q.is_closed ? ", ALTHOUGH THE SHAPE IS NOT CLOSED" : ", ALTHOUGH THE SHAPE IS CLOSED");
+  out << "\n";
+  print_shape(out, result);
+  out << "  smallest angle " << q.min_angle << " degrees, its mean " << q.mean_min_angle << "; "
+      << mesh_patch::plural(m.below_10, "triangle") << " below 10 degrees, " << m.below_10_at_corners
+      << " of them in corners as sharp\n"
+      << "  distance from the shape up to " << m.distance << ", 1/" << std::size_t(result.shape.diagonal / (std::max)(m.distance, 1e-9 * result.shape.diagonal))
+      << " of its diagonal\n";
+  for(const mesh_patch::Unmet_count& count : mesh_patch::unmet_counts(result.report))
+    out << "  not met: " << count.criterion << " of " << mesh_patch::plural(count.triangles, "triangle") << ", because of the "
+        << count.cause << "\n";
+  out << "  " << result.meshing_seconds << " s for meshing (reading " << result.reading_seconds << ", model "
+      << result.model_seconds << ", measuring " << result.measuring_seconds << ")\n";
+}
+
+} // namespace mesh_cad
+
+#endif // MESH_CAD_OUTPUT_H

@@ -1,0 +1,148 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reading, meshing and measuring in mesh_cad.
+#ifndef MESH_CAD_RESULT_H
+#define MESH_CAD_RESULT_H
+
+#include "Mesh_cad_options.h"
+#include "Progress_line.h"
+#include "measure_cad_mesh.h"
+
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Triangle_mesh_quality.h>
+#include <CGAL/make_parametric_surface_mesh.h>
+
+#include <CGAL/IO/read_open_cascade_shape.h>
+#include <CGAL/make_model_of_open_cascade_shape.h>
+#include <CGAL/repair_open_cascade_shape.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+struct Mesh_cad_result
+{
+  CGAL::Open_cascade_model_3 shape;
+  CGAL::Parametric_surface_mesh_criteria criteria; // with the sizes in effect
+  Cad_mesh mesh;
+  CGAL::Parametric_surface_mesh_report report;
+  CGAL::Triangle_mesh_quality quality;
+  Cad_mesh_measures measures;
+  std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
+  double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, measuring_seconds = 0;
+};
+
+namespace mesh_cad {
+
+// Calls `function` and returns its processor time in seconds.
+template <class Function>
+double seconds_of(Function function)
+{
+  const std::clock_t start = std::clock();
+  function();
+  return double(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+inline void check_numbers(const std::string& option, std::size_t largest, std::size_t number, const std::string& what)
+{
+  if(largest > number)
+    throw Usage_error("--" + option + ": there is no " + what + " " + std::to_string(largest) + ", the shape has "
+                      + mesh_patch::plural(number, what));
+}
+
+// Removes the faces that are not asked for.
+inline void select_faces(const std::set<std::size_t>& wanted, CGAL::Open_cascade_model_3& shape)
+{
+  if(wanted.empty())
+    return;
+  check_numbers("faces", *wanted.rbegin(), shape.number_of_shape_faces, "face");
+  const auto is_unwanted = [&](std::size_t face) { return wanted.count(face + 1) == 0; };
+  std::vector<CGAL::Open_cascade_model_3::Model::Face> faces;
+  std::vector<std::size_t> numbers;
+  for(std::size_t f = 0; f < shape.shape_faces.size(); ++f)
+    if(!is_unwanted(shape.shape_faces[f])) {
+      faces.push_back(std::move(shape.model.faces()[f]));
+      numbers.push_back(shape.shape_faces[f]);
+    }
+  shape.model.faces().swap(faces);
+  shape.shape_faces.swap(numbers);
+  shape.left_out.erase(std::remove_if(shape.left_out.begin(), shape.left_out.end(),
+                                      [&](const auto& face) { return is_unwanted(face.shape_face); }),
+                       shape.left_out.end());
+}
+
+inline void set_sizes(const Mesh_cad_options& options, CGAL::Open_cascade_model_3& shape)
+{
+  if(!options.max_edge_of_face.empty())
+    check_numbers("face-size", options.max_edge_of_face.rbegin()->first, shape.number_of_shape_faces, "face");
+  if(!options.max_edge_of_edge.empty())
+    check_numbers("edge-size", options.max_edge_of_edge.rbegin()->first, shape.number_of_shape_edges, "edge");
+  for(std::size_t f = 0; f < shape.shape_faces.size(); ++f) {
+    const auto found = options.max_edge_of_face.find(shape.shape_faces[f] + 1);
+    if(found != options.max_edge_of_face.end())
+      shape.model.faces()[f].max_edge = found->second;
+  }
+  for(const auto& size : options.max_edge_of_edge)
+    shape.model.edges()[size.first - 1].max_edge = size.second;
+}
+
+inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_options& o, double diagonal)
+{
+  CGAL::Parametric_surface_mesh_criteria criteria;
+  const double max_edge = o.max_edge > 0 ? o.max_edge : (std::max)(diagonal / 20, o.min_edge);
+  criteria.set_max_edge(max_edge).set_min_edge(o.min_edge > 0 ? o.min_edge : (std::min)(diagonal / 1000, max_edge));
+  criteria.set_gamma(o.gamma).set_angle(o.angle).set_closeness(o.closeness);
+  return criteria.set_distance(o.distance > 0 ? o.distance : o.relative_distance * diagonal);
+}
+
+inline TopoDS_Shape read_shape(const Mesh_cad_options& options)
+{
+  const TopoDS_Shape shape = CGAL::IO::read_open_cascade_shape(options.input, options.unit);
+  return options.is_healing_wanted ? CGAL::repair_open_cascade_shape(shape) : shape;
+}
+
+inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
+{
+  namespace parameters = CGAL::parameters;
+  if(result.shape.model.faces().empty()) {
+    if(result.left_out.empty())
+      throw Usage_error(options.input + " has no faces");
+    throw Usage_error("no face can be meshed; face " + std::to_string(result.left_out.front().shape_face + 1) + ": "
+                      + result.left_out.front().reason);
+  }
+  Progress_line progress(options.is_quiet);
+  result.report = CGAL::make_parametric_surface_mesh(
+    result.shape.model, result.criteria, result.mesh.mesh,
+    parameters::halfedge_uv_map(
+      result.mesh.uv, parameters::face_patch_id_map(result.mesh.patch, parameters::leaves_out_bad_faces(true).visitor(std::ref(progress)))));
+  for(const auto& face : result.report.left_out)
+    result.left_out.push_back({result.shape.shape_faces[face.face], face.reason});
+}
+
+inline void mesh_and_measure(const Mesh_cad_options& options, Mesh_cad_result& result)
+{
+  TopoDS_Shape shape;
+  result.reading_seconds = seconds_of([&] { shape = read_shape(options); });
+  result.model_seconds = seconds_of([&] {
+    result.shape = CGAL::make_model_of_open_cascade_shape(shape);
+    select_faces(options.faces, result.shape);
+    set_sizes(options, result.shape);
+  });
+  result.left_out = result.shape.left_out;
+  result.criteria = make_criteria(options, result.shape.diagonal);
+  result.meshing_seconds = seconds_of([&] { make_mesh(options, result); });
+  result.measuring_seconds = seconds_of([&] {
+    result.quality = CGAL::triangle_mesh_quality(result.mesh.mesh);
+    result.measures = measure(result.mesh, result.shape);
+  });
+}
+
+} // namespace mesh_cad
+
+#endif // MESH_CAD_RESULT_H

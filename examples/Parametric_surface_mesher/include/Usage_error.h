@@ -1,0 +1,70 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the command lines of mesh_patch and mesh_cad have in common.
+#ifndef USAGE_ERROR_H
+#define USAGE_ERROR_H
+
+#include <boost/program_options.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// A command line that cannot be followed; the message says what to change.
+struct Usage_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+namespace mesh_patch {
+
+namespace po = boost::program_options;
+
+inline std::string joined(const std::vector<std::string>& words)
+{
+  std::string result;
+  for(const std::string& word : words)
+    result += (result.empty() ? "" : " ") + word;
+  return result;
+}
+
+inline std::string plural(std::size_t n, const std::string& what, const std::string& several = std::string())
+{
+  return std::to_string(n) + " " + (n == 1 ? what : several.empty() ? what + "s" : several);
+}
+
+inline bool has_ending(const std::string& name, const std::string& ending)
+{
+  return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+inline void check_ending(const std::string& option, const std::string& file_name, const std::vector<std::string>& endings)
+{
+  std::string list;
+  for(const std::string& ending : endings) {
+    if(has_ending(file_name, ending))
+      return;
+    list += (list.empty() ? "" : " or ") + ending;
+  }
+  throw Usage_error("--" + option + ": the file name " + file_name + " must end in " + list);
+}
+
+inline void check_positive(const po::variables_map& given, const std::string& option)
+{
+  if(given.count(option) == 0)
+    return;
+  const double value = given[option].as<double>();
+  if(!(value > 0) || !std::isfinite(value)) {
+    std::ostringstream message;
+    message << "--" << option << ": " << value << " must be a finite number greater than 0";
+    throw Usage_error(message.str());
+  }
+}
+
+} // namespace mesh_patch
+
+#endif // USAGE_ERROR_H

@@ -1,0 +1,170 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What mesh_cad measures on its mesh beyond CGAL::triangle_mesh_quality().
+#ifndef MEASURE_CAD_MESH_H
+#define MEASURE_CAD_MESH_H
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <CGAL/Open_cascade_model_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+// A mesh with the face of the model that each triangle lies on, and its corners in the domain of that face.
+struct Cad_mesh
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv
+    = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  Mesh::Property_map<Mesh::Face_index, std::size_t> patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
+};
+
+struct Cad_mesh_measures
+{
+  double distance = 0; // largest, from sampled points of surfaces and edges to the mesh
+  std::size_t below_10 = 0, below_10_at_corners = 0; // triangles with an angle below 10 degrees
+  std::size_t border_edges = 0;
+};
+
+namespace mesh_cad {
+
+typedef Cad_mesh::Kernel Kernel;
+typedef CGAL::Open_cascade_model_3::Model Model;
+typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Cad_mesh::Mesh>>> Tree;
+
+// The corners of a triangle: in space, and in the domain of its face.
+struct Triangle_corners
+{
+  std::array<Kernel::Point_3, 3> points;
+  std::array<Kernel::Point_2, 3> uv;
+};
+
+inline Triangle_corners corners(const Cad_mesh& mesh, Cad_mesh::Mesh::Face_index face)
+{
+  Triangle_corners result;
+  std::size_t i = 0;
+  for(const auto h : mesh.mesh.halfedges_around_face(mesh.mesh.halfedge(face))) {
+    result.points[i] = mesh.mesh.point(mesh.mesh.target(h));
+    result.uv[i++] = mesh.uv[h];
+  }
+  return result;
+}
+
+inline double angle(const Kernel::Vector_3& a, const Kernel::Vector_3& b)
+{
+  return std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b) * 45 / std::atan(1.);
+}
+
+// The number and size of the smallest angle.
+inline std::pair<std::size_t, double> smallest_angle(const std::array<Kernel::Point_3, 3>& p)
+{
+  std::pair<std::size_t, double> result(0, 180);
+  for(std::size_t i = 0; i < 3; ++i) {
+    const double a = angle(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
+    if(a < result.second)
+      result = {i, a};
+  }
+  return result;
+}
+
+// The largest squared distance, if above `known`, of surface points over the middles of the sides and the centroid to the
+// mesh. Mostly the distance to the triangle itself is short enough; around poles another one is closer.
+inline double squared_distance_to_surface(const Triangle_corners& c, const CGAL::Open_cascade_surface_3& surface,
+                                          const Tree& tree, double known)
+{
+  const Kernel::Triangle_3 triangle(c.points[0], c.points[1], c.points[2]);
+  double result = known;
+  for(const auto& w : {std::array<double, 3>{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1. / 3, 1. / 3, 1. / 3}}) {
+    const double u = w[0] * c.uv[0].x() + w[1] * c.uv[1].x() + w[2] * c.uv[2].x(),
+                 v = w[0] * c.uv[0].y() + w[1] * c.uv[1].y() + w[2] * c.uv[2].y();
+    const Kernel::Point_3 p = surface.point(u, v);
+    if(CGAL::squared_distance(p, triangle) > result)
+      result = (std::max)(result, tree.squared_distance(p));
+  }
+  return result;
+}
+
+// The largest squared distance of points of the edges of meshed faces to the mesh.
+inline double squared_distance_to_edges(const Cad_mesh& mesh, const Model& model, const Tree& tree)
+{
+  const int number_of_samples = 64;
+  std::set<std::size_t> edges;
+  for(const std::size_t face : std::set<std::size_t>(mesh.patch.begin(), mesh.patch.end()))
+    for(const auto& loop : model.faces()[face].loops)
+      for(const auto& use : loop)
+        edges.insert(use.edge);
+  double result = 0;
+  for(const std::size_t e : edges)
+    if(model.edges()[e].curve)
+      for(int i = 1; i < number_of_samples; ++i)
+        result = (std::max)(result, tree.squared_distance(model.edges()[e].curve->point(double(i) / number_of_samples)));
+  return result;
+}
+
+// The vertices at which faces have corners below a number of degrees.
+inline std::set<std::pair<std::size_t, Kernel::Point_3>> sharp_corners(const Model& model, double degrees)
+{
+  typedef Model::Edge_use Edge_use;
+  std::set<std::pair<std::size_t, Kernel::Point_3>> result;
+  for(std::size_t f = 0; f < model.faces().size(); ++f) {
+    // the direction in space in which a use leaves its begin, or comes from its end
+    const auto direction = [&](const Edge_use& use, bool is_at_begin) {
+      const bool is_at_source = is_at_begin != use.is_reversed;
+      const double t = is_at_source ? use.curve.begin() : use.curve.end();
+      const auto c = use.curve.jet(t);
+      const auto s = model.faces()[f].surface.jet(c.point.x(), c.point.y());
+      return (is_at_source ? 1 : -1) * (c.first.x() * s.du + c.first.y() * s.dv);
+    };
+    for(const auto& loop : model.faces()[f].loops)
+      for(std::size_t i = 0; i < loop.size(); ++i) {
+        const Edge_use &use = loop[i], &next = loop[(i + 1) % loop.size()];
+        if(!(angle(direction(use, false), direction(next, true)) > degrees)) {
+          const auto& edge = model.edges()[next.edge];
+          result.emplace(f, model.vertices()[next.is_reversed ? edge.target : edge.source]);
+        }
+      }
+  }
+  return result;
+}
+
+inline Cad_mesh_measures measure(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape)
+{
+  const double small_angle = 10; // degrees
+  Cad_mesh_measures result;
+  const auto sharp = sharp_corners(shape.model, small_angle);
+  const Tree tree(faces(mesh.mesh).first, faces(mesh.mesh).second, mesh.mesh);
+  double squared_distance = squared_distance_to_edges(mesh, shape.model, tree);
+  for(const auto face : mesh.mesh.faces()) {
+    const Triangle_corners c = corners(mesh, face);
+    const std::size_t patch = mesh.patch[face];
+    squared_distance = squared_distance_to_surface(c, shape.model.faces()[patch].surface, tree, squared_distance);
+    const auto smallest = smallest_angle(c.points);
+    if(smallest.second < small_angle) {
+      ++result.below_10;
+      result.below_10_at_corners += sharp.count({patch, c.points[smallest.first]});
+    }
+  }
+  result.distance = std::sqrt(squared_distance);
+  for(const auto h : mesh.mesh.halfedges())
+    result.border_edges += mesh.mesh.is_border(h);
+  return result;
+}
+
+} // namespace mesh_cad
+
+#endif // MEASURE_CAD_MESH_H

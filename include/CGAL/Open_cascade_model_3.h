@@ -1,0 +1,63 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_OPEN_CASCADE_MODEL_3_H
+#define CGAL_OPEN_CASCADE_MODEL_3_H
+
+#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/suspend_handle_macro.h>
+#include <CGAL/Parametric_surface_model_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/restore_handle_macro.h>
+
+#include <CGAL/Open_cascade_surface_3.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgParametricSurfaceMesherOpenCascade
+
+A shape of Open CASCADE as a model, and what was found on the way. Faces and edges of the shape are counted from 0 in the
+order of `TopExp::MapShapes()`.
+
+\sa `CGAL::make_model_of_open_cascade_shape()`
+*/
+struct Open_cascade_model_3
+{
+  typedef Parametric_surface_model_3<Open_cascade_surface_3> Model; ///< the type of the model
+
+  /// a face of the shape that is not in the model, or not in the mesh.
+  struct Left_out_face
+  {
+    std::size_t shape_face; ///< its number in the shape
+    std::string reason;     ///< why
+  };
+
+  /// an edge whose curves are farther apart than its tolerance in the shape says.
+  struct Gap
+  {
+    std::size_t shape_edge; ///< the number of the edge in the shape
+    std::size_t shape_face; ///< a face with a curve in its domain that is so far from the edge
+    double distance;        ///< the largest distance in space, between the image of that curve and the edge, or of their ends and the vertices
+    double tolerance;       ///< the largest tolerance of the edge and its vertices
+  };
+
+  Model model; ///< its first edges are those of the shape, in their order; then come collapsed ones that the shape lacks
+  std::vector<std::size_t> shape_faces; ///< for each face of the model, its number in the shape; a face between two shells appears twice
+  std::size_t number_of_shape_faces = 0;
+  std::size_t number_of_shape_edges = 0;
+  double diagonal = 0; ///< of the box of the shape
+  bool is_shape_closed = true; ///< whether each edge has two uses in each shell that it is in, as far as faces lie on it
+
+  std::vector<Left_out_face> left_out; ///< faces that could not be built
+  std::vector<Gap> gaps;               ///< of edges that are less exact than the shape says
+  double largest_gap = 0;              ///< the largest distance between an edge and the image of one of its curves, of all edges
+  std::size_t number_of_rebuilt_curves = 0; ///< curves in domains that were missing, or far off, and made anew by projection
+  std::size_t number_of_removed_slits = 0;  ///< edges left out because a face lies on both sides, on the same curve
+  std::size_t number_of_reversed_faces = 0; ///< faces turned because neighbours in a shell did not face to the same side
+};
+
+} // namespace CGAL
+
+#endif // CGAL_OPEN_CASCADE_MODEL_3_H

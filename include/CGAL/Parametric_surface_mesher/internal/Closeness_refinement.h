@@ -1,0 +1,156 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CLOSENESS_REFINEMENT_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CLOSENESS_REFINEMENT_H
+
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Charted_surface_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
+#include <CGAL/Parametric_surface_mesher/internal/name_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulate_boundary.h>
+#include <CGAL/Parametric_surface_oracle_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Where a face is narrower than the pieces of its boundary are long, triangles across it are flat, and no point inside can
+// help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop.
+template <class Oracle>
+class Closeness_refinement
+{
+  typedef Model_division<Oracle> Division;
+  typedef typename Division::Kernel Kernel;
+  typedef typename Division::Piece Piece;
+  typedef Charted_surface_3<typename Oracle::Surface> Surface;
+  typedef Parametric_surface_oracle_3<Surface, typename Oracle::Metric_field> Charted_oracle;
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Face_handle Face_handle;
+
+  static const int max_number_of_rounds = 16;
+  static constexpr double max_ratio = 2.5;      // of neighbours on a loop
+  static constexpr double hopeless_share = 0.25; // of the minimum edge: what is narrower stays as it is
+
+  Division& m_division;
+  const std::vector<Oracle>& m_oracles; // of the faces
+  const Parametric_surface_mesh_criteria& m_criteria;
+
+public:
+  Closeness_refinement(Division& division, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria)
+    : m_division(division), m_oracles(oracles), m_criteria(criteria)
+  {}
+
+  // returns how many pieces were halved
+  std::size_t operator()()
+  {
+    std::size_t number_of_splits = 0;
+    std::vector<std::size_t> faces(m_oracles.size());
+    std::iota(faces.begin(), faces.end(), 0);
+    for(int round = 0; round < max_number_of_rounds && !faces.empty(); ++round) {
+      std::set<Piece> pieces;
+      for(std::size_t face : faces)
+        if(!m_division.model().faces()[face].loops.empty())
+          with_name_of_face(m_division.model(), face, [&] { collect(face, pieces); });
+      number_of_splits += pieces.size();
+      m_division.split(pieces);
+      faces = m_division.faces_at(pieces);
+    }
+    return number_of_splits;
+  }
+
+private:
+  void collect(std::size_t face, std::set<Piece>& pieces) const
+  {
+    const Boundary_loops<Kernel> loops = m_division.boundary_loops(face);
+    const Surface surface(m_oracles[face].surface(), find_chart(m_oracles[face].surface(), loops));
+    const Charted_oracle oracle(surface, m_oracles[face].metric(), m_oracles[face].singular_points());
+    const Boundary_loops<Kernel> charted_loops = chart_loops(loops, surface.chart());
+    const Patch_evaluator<Charted_oracle> evaluator(oracle, m_criteria, box_of_loops(charted_loops));
+    Triangulation triangulation;
+    Boundary_triangulator<Kernel> triangulate(triangulation, charted_loops);
+    triangulate(evaluator);
+    auto vertices = triangulate.vertices().begin();
+    for(std::size_t l = 0; l < loops.size(); ++l) {
+      const std::vector<Vertex_handle> loop(vertices, vertices + charted_loops[l].size());
+      vertices += charted_loops[l].size();
+      collect(face, l, segments(loops[l], loop.size()), loop, triangulation, pieces);
+    }
+  }
+
+  // The numbers of the segments of a loop in the domain; a chart leaves out those between copies of a pole.
+  static std::vector<std::size_t> segments(const std::vector<Boundary_vertex<Kernel>>& loop, std::size_t number_in_chart)
+  {
+    std::vector<std::size_t> result;
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      if(number_in_chart == loop.size() || loop[i].index != loop[(i + 1) % loop.size()].index)
+        result.push_back(i);
+    return result;
+  }
+
+  void collect(std::size_t face, std::size_t number, const std::vector<std::size_t>& segments,
+               const std::vector<Vertex_handle>& loop, const Triangulation& triangulation, std::set<Piece>& pieces) const
+  {
+    const std::size_t n = loop.size();
+    for(std::size_t i = 0; i < n; ++i) {
+      const Vertex_handle v = loop[i], w = loop[(i + 1) % n];
+      const double l = length(v, w);
+      if(!(l >= 2 * m_criteria.min_edge()))
+        continue;
+      const double neighbor = (std::min)(length(loop[(i + n - 1) % n], v), length(w, loop[(i + 2) % n]));
+      if(is_longer(l, max_ratio * neighbor) || is_longer(l, m_criteria.closeness() * width(v, w, triangulation))) {
+        const Piece piece = m_division.piece(face, number, segments[i]);
+        if(m_division.can_be_split(piece))
+          pieces.insert(piece);
+      }
+    }
+  }
+
+  bool is_longer(double length, double limit) const
+  {
+    return length > limit && limit > hopeless_share * m_criteria.min_edge();
+  }
+
+  // The distance in space of the segment from the third corner of its triangle. (Not from its line: the triangles of a
+  // round hole's boundary are flat, but none of its points is close to another piece.) Where the triangle has the next segment
+  // for a side, that counts as a neighbour.
+  static double width(Vertex_handle v, Vertex_handle w, const Triangulation& triangulation)
+  {
+    Face_handle face;
+    int i = 0;
+    double result = std::numeric_limits<double>::infinity();
+    if(!triangulation.is_edge(v, w, face, i))
+      return result;
+    for(const auto& side : {std::make_pair(face, i), std::make_pair(face->neighbor(i), triangulation.mirror_index(face, i))}) {
+      const Face_handle f = side.first;
+      if(!f->is_in_domain() || f->is_constrained(triangulation.cw(side.second)) || f->is_constrained(triangulation.ccw(side.second)))
+        continue;
+      const typename Kernel::Segment_3 segment(v->point().surface_point(), w->point().surface_point());
+      result = (std::min)(result, std::sqrt(squared_distance(f->vertex(side.second)->point().surface_point(), segment)));
+    }
+    return result;
+  }
+
+  static double length(Vertex_handle v, Vertex_handle w)
+  {
+    return std::sqrt(squared_distance(v->point().surface_point(), w->point().surface_point()));
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CLOSENESS_REFINEMENT_H

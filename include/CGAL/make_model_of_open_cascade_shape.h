@@ -1,0 +1,39 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_MAKE_MODEL_OF_OPEN_CASCADE_SHAPE_H
+#define CGAL_MAKE_MODEL_OF_OPEN_CASCADE_SHAPE_H
+
+#include <CGAL/Open_cascade_model_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Shape_model_builder.h>
+
+#include <TopoDS_Shape.hxx>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgParametricSurfaceMesherOpenCascade
+
+makes a model of the faces of a shape: its vertices, its edges with their curves in space, and its faces with their curves
+in the domain. The shape is not changed.
+
+- Seams, degenerated edges, reversed faces, and locations are honoured. The faces of each shell become a shell of
+the model; faces outside of shells become one together. A face between two solids is in both of their shells.
+- Vertices and edges are trusted within their tolerances. The distances of curves in domains from their edges are
+measured; where they are larger than the tolerance says the edge is listed in `Open_cascade_model_3::gaps`.
+- Curves in domains that are missing, or farther off than 1e-4 of the diagonal (and ten times the tolerance), are made anew by projection.
+- A face that cannot be built, or where the kernel throws an exception, is left out and listed with its reason. It does
+not matter for the others.
+
+\param shape a shape with faces
+
+\throws Parametric_surface_mesh_error if the shape has no extent
+*/
+inline Open_cascade_model_3 make_model_of_open_cascade_shape(const TopoDS_Shape& shape)
+{
+  using namespace Parametric_surface_mesher::internal;
+  return guarded([&] { return Shape_model_builder(shape)(shape); });
+}
+
+} // namespace CGAL
+
+#endif // CGAL_MAKE_MODEL_OF_OPEN_CASCADE_SHAPE_H
