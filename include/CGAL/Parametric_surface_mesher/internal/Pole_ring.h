@@ -65,9 +65,11 @@ private:
     if(vertex == Vertex_handle() || (std::max)(radius_before, radius_after) > 1.2 * radius)
       return;
     const double angle = chart().angle_at_pole(vertex->point().domain_point());
-    const int n = number_of_sectors(angle, before.index == after.index);
+    const bool is_all_around = before.index == after.index;
+    const int n = number_of_sectors(angle, is_all_around);
     const double min_distance = (std::min)(0.5, 0.7 * angle / n) * radius;
-    const bool is_pointed = angle / n < 0.85; // then the triangles must stay as long as the seam has them
+    // around a pointed apex the triangles must stay as long as the first piece of the seam
+    const bool is_pointed = is_all_around && angle / n < 0.91;
     for(int k = 1; k < n; ++k)
       insert(chart().chart_point(before.domain_point + double(k) / n * (after.domain_point - before.domain_point)), vertex,
              radius, min_distance, is_pointed);
