@@ -11,6 +11,7 @@ packages=(
   libboost-dev libboost-program-options-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
   libtet1.5-dev
+  libtbb-dev
   libocct-data-exchange-dev occt-misc
 )
 

@@ -1,0 +1,174 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Faces meshed by several threads give the mesh that one thread gives, bit by bit.
+#include <gtest/gtest.h>
+
+#include <CGAL/IO/read_bezier_patches.h>
+#include <CGAL/Parametric_surface_mesh_visitor.h>
+#include <CGAL/make_model_of_rectangular_patches.h>
+#include <CGAL/make_parametric_surface_mesh.h>
+#include <CGAL/make_parametric_surface_triangle_soup.h>
+
+#include <Sample_models.h>
+#include <check_invariants.h>
+#include <mesher_test_helpers.h>
+
+#include <tbb/global_control.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace {
+
+// with four threads, also on a machine of fewer cores
+template <class Model>
+Report mesh_with_threads(const Model& model, const Criteria& criteria, Mesh& mesh)
+{
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 4);
+  return CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(model, criteria, mesh,
+                                                                CGAL::parameters::vertex_uv_map(uv_map(mesh)));
+}
+
+template <class Model>
+void check_same_mesh(const Model& model, const Criteria& criteria)
+{
+  Mesh sequential, parallel;
+  const Report a = CGAL::make_parametric_surface_mesh(model, criteria, sequential,
+                                                      CGAL::parameters::vertex_uv_map(uv_map(sequential)));
+  const Report b = mesh_with_threads(model, criteria, parallel);
+  ASSERT_GT(sequential.number_of_faces(), 0u);
+  check_identical(sequential, parallel);
+  EXPECT_EQ(a.smallest_angle, b.smallest_angle);
+  EXPECT_EQ(a.number_of_replaced_tensors, b.number_of_replaced_tensors);
+  ASSERT_EQ(a.unmet.size(), b.unmet.size());
+  for(std::size_t i = 0; i < a.unmet.size(); ++i)
+    EXPECT_EQ(a.unmet[i].face, b.unmet[i].face);
+}
+
+const double teapot_max_edge = 0.2;
+
+auto teapot()
+{
+  return CGAL::make_model_of_rectangular_patches(
+    CGAL::IO::read_bezier_patches<Test_kernel>(std::string(PARAMETRIC_SURFACE_MESHER_DATA_DIR) + "/teapot.bpt"));
+}
+
+// a surface that is not finite around a point
+struct With_a_hole
+{
+  Sample_surface surface;
+  Point_2 middle;
+  double radius;
+
+  bool is_in_hole(double u, double v) const { return CGAL::squared_distance(Point_2(u, v), middle) < radius * radius; }
+
+  Point_3 point(double u, double v) const { return is_in_hole(u, v) ? Point_3(NAN, NAN, NAN) : surface.point(u, v); }
+
+  Sample_surface::Jet jet(double u, double v) const
+  {
+    Sample_surface::Jet jet = surface.jet(u, v);
+    jet.point = point(u, v);
+    return jet;
+  }
+};
+
+template <class Face>
+Point_2 middle_of_domain(const Face& face)
+{
+  const auto& loop = face.loops.front();
+  Test_kernel::Vector_2 sum(0, 0);
+  for(const auto& use : loop)
+    sum = sum + (use.curve.source() - CGAL::ORIGIN);
+  return CGAL::ORIGIN + sum / double(loop.size());
+}
+
+struct Counting_visitor : CGAL::Parametric_surface_mesh_visitor
+{
+  std::size_t number_of_phases = 0, number_of_questions = 0, last_question = std::size_t(-1);
+
+  void on_phase(const char*) { ++number_of_phases; }
+  bool go_further() { return ++number_of_questions < last_question; }
+};
+
+} // namespace
+
+TEST(Parallel, teapot)
+{
+  check_same_mesh(teapot(), Criteria().set_max_edge(teapot_max_edge));
+}
+
+TEST(Parallel, sample_models)
+{
+  for(const std::string name : {"sphere", "box", "ring", "cyl"}) {
+    SCOPED_TRACE(name);
+    const Sample_model sample = make_sample_model(name);
+    check_same_mesh(sample.model, Criteria().set_max_edge(sample.edge_length(3000)));
+  }
+}
+
+// The faces share the limit; then one after the other is meshed.
+TEST(Parallel, limit_of_vertices)
+{
+  const Sample_model sample = make_sample_model("box");
+  const Criteria criteria = Criteria().set_max_edge(sample.edge_length(3000));
+  Mesh unlimited;
+  const Report report = CGAL::make_parametric_surface_mesh(sample.model, criteria, unlimited);
+  check_same_mesh(sample.model, Criteria(criteria).set_max_number_of_vertices(report.number_of_vertices / 2));
+}
+
+TEST(Parallel, triangle_soup)
+{
+  const auto model = teapot();
+  const Criteria criteria = Criteria().set_max_edge(teapot_max_edge);
+  std::vector<Test_kernel::Point_3> a, b;
+  std::vector<std::size_t> ids_a, ids_b;
+  std::vector<std::array<std::size_t, 3>> ta, tb;
+  CGAL::make_parametric_surface_triangle_soup(model, criteria, a, ta, ids_a);
+  CGAL::make_parametric_surface_triangle_soup<CGAL::Parallel_tag>(model, criteria, b, tb, ids_b);
+  EXPECT_EQ(a, b);
+  EXPECT_EQ(ta, tb);
+  EXPECT_EQ(ids_a, ids_b);
+}
+
+// Of several bad faces the first one is named, and the mesh stays as it was.
+TEST(Parallel, the_first_error_is_thrown)
+{
+  Sample_model sample = make_sample_model("box");
+  auto& faces = sample.model.faces();
+  ASSERT_GT(faces.size(), 4u);
+  for(std::size_t f : {4u, 2u})
+    faces[f].surface = Sample_surface(With_a_hole{faces[f].surface, middle_of_domain(faces[f]), 0.1});
+  Mesh mesh;
+  try {
+    mesh_with_threads(sample.model, Criteria().set_max_edge(0.05), mesh);
+    FAIL() << "accepted";
+  }
+  catch(const CGAL::Parametric_surface_mesh_error& error) {
+    EXPECT_NE(std::string::npos, std::string(error.what()).find("face 2")) << error.what();
+  }
+  EXPECT_TRUE(mesh.is_empty());
+}
+
+TEST(Parallel, visitor_is_called_by_one_thread_at_a_time)
+{
+  const auto model = teapot();
+  Counting_visitor visitor;
+  Mesh mesh;
+  CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(model, Criteria().set_max_edge(0.1), mesh,
+                                                         CGAL::parameters::visitor(std::ref(visitor)));
+  EXPECT_EQ(2 + 5 * model.faces().size(), visitor.number_of_phases);
+  EXPECT_GT(visitor.number_of_questions, 0u);
+
+  Counting_visitor stopping;
+  stopping.last_question = 3;
+  Mesh coarse;
+  const Report report = CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(
+    model, Criteria().set_max_edge(0.1), coarse, CGAL::parameters::visitor(std::ref(stopping)));
+  EXPECT_GT(report.count(CGAL::Unmet_cause::STOPPED), 0u);
+  EXPECT_LT(coarse.number_of_faces(), mesh.number_of_faces());
+  EXPECT_TRUE(coarse.is_valid());
+}
