@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,8 @@ typedef CGAL::Parametric_surface_mesh_report Report;
 struct Settings : Benchmark_settings
 {
   std::vector<std::string> surfaces;
-  std::string placement = "frontal";
+  std::string placement;
+  bool is_unimproved = false;
   bool inserts_domain_points = false;
 
   Settings();
@@ -52,9 +54,24 @@ struct Result
   double bytes_per_triangle;
 };
 
-CGAL::Parametric_surface_mesh_criteria criteria_for(const Sample& sample, double size)
+CGAL::Mesh_point_placement placement(const std::string& name)
 {
-  return CGAL::Parametric_surface_mesh_criteria().set_max_edge(sample.edge_length(size));
+  if(name == "frontal")
+    return CGAL::Mesh_point_placement::FRONTAL;
+  if(name == "off-center")
+    return CGAL::Mesh_point_placement::OFF_CENTER;
+  if(name == "circumcenter")
+    return CGAL::Mesh_point_placement::CIRCUMCENTER;
+  throw std::invalid_argument("--placement must be frontal, off-center or circumcenter");
+}
+
+CGAL::Parametric_surface_mesh_criteria criteria_for(const Sample& sample, double size, const Settings& settings)
+{
+  CGAL::Parametric_surface_mesh_criteria result;
+  result.set_max_edge(sample.edge_length(size)).set_placement(placement(settings.placement));
+  if(settings.is_unimproved)
+    result.set_max_number_of_sweeps(0).set_improvement_angle(0);
+  return result;
 }
 
 void add(const Report::Seconds& seconds, Report::Seconds& sum)
@@ -66,11 +83,11 @@ void add(const Report::Seconds& seconds, Report::Seconds& sum)
   sum.output += seconds.output;
 }
 
-void measure_mesh(const Sample& sample, double size, Result& result)
+void measure_mesh(const Sample& sample, double size, const Settings& settings, Result& result)
 {
   const double memory_before = peak_memory();
   Mesh mesh;
-  const Report report = CGAL::make_parametric_surface_mesh(sample.surface, sample.domain, criteria_for(sample, size), mesh);
+  const Report report = CGAL::make_parametric_surface_mesh(sample.surface, sample.domain, criteria_for(sample, size, settings), mesh);
   result.bytes_per_triangle = (peak_memory() - memory_before) / report.number_of_faces;
   result.quality = CGAL::triangle_mesh_quality(mesh);
   result.boundary_limited = report.count(CGAL::Unmet_cause::BOUNDARY);
@@ -88,11 +105,11 @@ std::vector<Point_2> random_points(std::size_t number_of_triangles)
 }
 
 // the domain points of the mesh, in random order
-std::vector<Point_2> domain_points(const Sample& sample, double size)
+std::vector<Point_2> domain_points(const Sample& sample, double size, const Settings& settings)
 {
   Mesh mesh;
   const auto uv = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
-  CGAL::make_parametric_surface_mesh(sample.surface, sample.domain, criteria_for(sample, size), mesh,
+  CGAL::make_parametric_surface_mesh(sample.surface, sample.domain, criteria_for(sample, size, settings), mesh,
                                      CGAL::parameters::vertex_uv_map(uv));
   std::vector<Point_2> points;
   for(const Mesh::Vertex_index v : mesh.vertices())
@@ -113,12 +130,12 @@ void measure_times(const Sample& sample, double size, const Settings& settings, 
 {
   const double number_of_triangles = static_cast<double>(result.quality.number_of_faces);
   const std::vector<Point_2> points
-    = settings.inserts_domain_points ? domain_points(sample, size) : random_points(result.quality.number_of_faces);
+    = settings.inserts_domain_points ? domain_points(sample, size, settings) : random_points(result.quality.number_of_faces);
   const auto mesh_once = [&] {
     Mesh mesh;
     Report report;
     const double seconds = seconds_of([&] {
-      report = CGAL::make_parametric_surface_mesh(sample.surface, sample.domain, criteria_for(sample, size), mesh);
+      report = CGAL::make_parametric_surface_mesh(sample.surface, sample.domain, criteria_for(sample, size, settings), mesh);
     });
     add(report.seconds, result.phases);
     return seconds;
@@ -139,7 +156,7 @@ void measure_times(const Sample& sample, double size, const Settings& settings, 
 Result measure(const Sample& sample, double size, const Settings& settings)
 {
   Result result = Result();
-  measure_mesh(sample, size, result);
+  measure_mesh(sample, size, settings, result);
   measure_times(sample, size, settings, result);
   return result;
 }
@@ -175,6 +192,8 @@ Settings::Settings()
   using namespace boost::program_options;
   options().add_options()
     ("surfaces", value(&surfaces)->multitoken()->default_value(sample_names(), "all"), "names of sample surfaces")
+    ("placement", value(&placement)->default_value("frontal"), "frontal, off-center or circumcenter")
+    ("unimproved", bool_switch(&is_unimproved), "without smoothing sweeps and improvement of the worst triangles")
     ("domain-points", bool_switch(&inserts_domain_points), "inserts the domain points of the mesh instead of random points");
 }
 

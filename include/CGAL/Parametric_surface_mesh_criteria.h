@@ -39,7 +39,7 @@ enum class Curve_deviation
 enum class Mesh_point_placement
 {
   CIRCUMCENTER, ///< at the centre of a bad triangle's circumellipse: the paper's
-  OFF_CENTER,   ///< nearer to the shortest edge of a bad triangle, where the new triangle has the wanted angle (\cgalCite{cgal:u-oc-04})
+  OFF_CENTER,   ///< nearer to the shortest edge of a bad triangle, where the new triangle has the wanted angle (Ungor 2004)
   FRONTAL       ///< from the boundary inwards, so that triangles of the wanted size arise; circumcentres for what is left
 };
 
