@@ -15,6 +15,7 @@
 #include <TopoDS_Face.hxx>
 
 #include <memory>
+#include <utility>
 #include <variant>
 
 namespace CGAL {
@@ -62,6 +63,15 @@ public:
     });
   }
 
+  /// @cond SKIP_IN_MANUAL
+  // another parametrisation of the same surface, without periods
+  template <class Surface>
+  static Open_cascade_surface_3 reparametrized(const Surface& surface)
+  {
+    return Open_cascade_surface_3(std::make_shared<const Any_surface>(surface));
+  }
+  /// @endcond
+
   /// the period in `u`, or 0.
   double u_period() const { return m_period_u; }
 
@@ -85,6 +95,9 @@ public:
   {
     return std::visit([=](const auto& surface) -> Surface_jet_3<Geom_traits> { return surface.jet(u, v); }, *m_surface);
   }
+
+private:
+  explicit Open_cascade_surface_3(std::shared_ptr<const Any_surface> surface) : m_surface(std::move(surface)) {}
 };
 
 } // namespace CGAL

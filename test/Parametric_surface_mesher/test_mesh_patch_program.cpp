@@ -7,6 +7,8 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh.h>
 
+#include "program_test.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -35,12 +37,6 @@ namespace {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
-std::string content(const std::filesystem::path& path)
-{
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 std::set<std::string> words_of(std::string text)
 {
   std::replace(text.begin(), text.end(), ',', ' ');
@@ -56,61 +52,10 @@ std::size_t number_of_occurrences(const std::string& word, const std::string& te
   return n;
 }
 
-// A directory of its own for each test, which goes away with it.
-class Mesh_patch_program : public testing::Test
+class Mesh_patch_program : public Program_test
 {
 protected:
-  struct Result
-  {
-    int status;
-    std::string out, err;
-  };
-
-  std::filesystem::path directory;
-
-  void SetUp() override
-  {
-    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    directory = std::filesystem::temp_directory_path() / ("mesh_patch_" + test + "_" + std::to_string(getpid()));
-    std::filesystem::create_directories(directory / "files");
-  }
-
-  void TearDown() override { std::filesystem::remove_all(directory); }
-
-  std::string file(const std::string& name) const { return (directory / "files" / name).string(); }
-
-  // runs the program in the directory "files", with arguments as in a shell
-  Result run(const std::string& arguments) const
-  {
-    const std::string command = "cd '" + (directory / "files").string() + "' && '" MESH_PATCH_PROGRAM "' " + arguments
-                                + " > ../out 2> ../err";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(directory / "out"), content(directory / "err")};
-  }
-
-  std::size_t number_of_files() const
-  {
-    return std::distance(std::filesystem::directory_iterator(directory / "files"), std::filesystem::directory_iterator());
-  }
-
-  nlohmann::json json(const std::string& arguments) const
-  {
-    const Result result = run(arguments + " --json result.json");
-    EXPECT_EQ(result.status, 0) << arguments << "\n" << result.err;
-    return nlohmann::json::parse(content(file("result.json")));
-  }
-
-  // One line on stderr that contains `hint`, status 2, nothing on stdout, no file.
-  void expect_refused(const std::string& arguments, const std::string& hint) const
-  {
-    const std::size_t before = number_of_files();
-    const Result result = run(arguments);
-    EXPECT_EQ(result.status, 2) << arguments;
-    EXPECT_EQ(result.out, "") << arguments;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << "\n" << result.err;
-    EXPECT_NE(result.err.find(hint), std::string::npos) << arguments << "\n" << result.err;
-    EXPECT_EQ(number_of_files(), before) << arguments;
-  }
+  Mesh_patch_program() : Program_test(MESH_PATCH_PROGRAM) {}
 };
 
 const char* const teapot = PARAMETRIC_SURFACE_MESHER_DATA_DIR "/teapot.bpt";

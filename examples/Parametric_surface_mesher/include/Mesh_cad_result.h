@@ -18,10 +18,16 @@
 #include <CGAL/make_model_of_open_cascade_shape.h>
 #include <CGAL/repair_open_cascade_shape.h>
 
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
+
 #include <algorithm>
 #include <cstddef>
 #include <ctime>
 #include <functional>
+#include <iostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -101,8 +107,22 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_optio
   return criteria.set_distance(o.distance > 0 ? o.distance : o.relative_distance * diagonal);
 }
 
+// As long as it lives, nothing is printed: Open CASCADE's readers write what they think about a file to std::cout.
+class Silence
+{
+  std::ostringstream m_nowhere;
+  std::streambuf* m_buffer;
+
+public:
+  Silence() : m_buffer(std::cout.rdbuf(m_nowhere.rdbuf())) { Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); }
+  ~Silence() { std::cout.rdbuf(m_buffer); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+};
+
 inline TopoDS_Shape read_shape(const Mesh_cad_options& options)
 {
+  const Silence silence;
   const TopoDS_Shape shape = CGAL::IO::read_open_cascade_shape(options.input, options.unit);
   return options.is_healing_wanted ? CGAL::repair_open_cascade_shape(shape) : shape;
 }

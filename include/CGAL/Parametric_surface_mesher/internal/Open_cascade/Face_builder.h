@@ -11,6 +11,7 @@
 #include <CGAL/Open_cascade_model_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Loop_closer.h>
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/convert_curves.h>
+#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/find_sphere_chart.h>
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/order_uses.h>
 
 #include <BRep_Tool.hxx>
@@ -50,15 +51,20 @@ class Face_builder
   const std::vector<double>& m_vertex_tolerances;
   TopoDS_Face m_face; // oriented forward
   std::size_t m_number;
-  Open_cascade_surface_3 m_surface;
+  Open_cascade_surface_3 m_surface, m_original; // of the model, and of the file
+  std::optional<Stereographic_sphere_3<Kernel>> m_chart; // between the two, on spheres
   std::vector<std::pair<std::size_t, double>> m_gaps; // of edges
 
 public:
   Face_builder(Open_cascade_model_3& result, const TopTools_IndexedMapOfShape& edges,
                const std::vector<double>& vertex_tolerances, const TopoDS_Face& face, std::size_t number)
     : m_result(result), m_edges(edges), m_vertex_tolerances(vertex_tolerances),
-      m_face(TopoDS::Face(face.Oriented(TopAbs_FORWARD))), m_number(number), m_surface(m_face)
-  {}
+      m_face(TopoDS::Face(face.Oriented(TopAbs_FORWARD))), m_number(number), m_surface(m_face), m_original(m_surface),
+      m_chart(Sphere_chart_finder(m_face).find<Kernel>())
+  {
+    if(m_chart)
+      m_surface = Open_cascade_surface_3::reparametrized(*m_chart);
+  }
 
   // the face, without its side and shell
   Model::Face operator()()
@@ -76,7 +82,8 @@ public:
       }
     if(loops.empty())
       throw Parametric_surface_mesh_error("the face has no boundary");
-    Loop_closer close(m_result.model, m_surface, m_vertex_tolerances, least_tolerance * m_result.diagonal);
+    Loop_closer close(m_result.model, m_surface, m_vertex_tolerances, least_tolerance * m_result.diagonal,
+                      distrusted_gap * m_result.diagonal);
     close(loops);
     for(const Loop& loop : loops)
       for(const Edge_use& use : loop)
@@ -95,29 +102,36 @@ private:
         continue; // inside the face, or outside of it: no boundary
       const std::size_t number = std::size_t(m_edges.FindIndex(edge)) - 1;
       const Edge_use use{number, edge.Orientation() == TopAbs_REVERSED, domain_curve(edge, number)};
-      if(!is_falsely_collapsed(use))
+      if(!is_no_boundary(use))
         result.push_back(use);
     }
     return result;
   }
 
-  // Open CASCADE's readers put such edges between curves that are periods apart. Loop_closer brings these together.
-  bool is_falsely_collapsed(const Edge_use& use) const
+  // A pole of a sphere is none in its chart. Elsewhere, an edge that claims to be collapsed and is not: Open CASCADE's readers
+  // put such edges between curves that are periods apart, and Loop_closer brings these together.
+  bool is_no_boundary(const Edge_use& use) const
   {
     const auto& edge = m_result.model.edges()[use.edge];
     return edge.is_collapsed
-           && gap(use.edge, use.curve) > (std::max)(distrusted_gap * m_result.diagonal, 10 * edge.tolerance);
+           && (m_chart || gap(use.edge, use.curve) > (std::max)(distrusted_gap * m_result.diagonal, 10 * edge.tolerance));
   }
+
+  Curve charted(const Curve& curve) const { return m_chart ? m_chart->curve(m_original, curve) : curve; }
 
   // The curve of the file, if it lies where the edge is; else a new one, if that does.
   Curve domain_curve(const TopoDS_Edge& edge, std::size_t number)
   {
     std::optional<Curve> curve = convert_domain_curve<Kernel>(edge, m_face);
+    if(curve)
+      curve = charted(*curve);
     const double gap = curve ? this->gap(number, *curve) : 0;
     if(curve && !(gap > distrusted(number)))
       return *curve;
     if(!BRep_Tool::IsClosed(edge, m_face)) {
-      const std::optional<Curve> other = project_domain_curve<Kernel>(edge, m_face);
+      std::optional<Curve> other = project_domain_curve<Kernel>(edge, m_face);
+      if(other)
+        other = charted(*other);
       if(other && (!curve || this->gap(number, *other) < 0.5 * gap)) {
         ++m_result.number_of_rebuilt_curves;
         return *other;

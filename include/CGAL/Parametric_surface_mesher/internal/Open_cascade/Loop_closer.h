@@ -42,16 +42,18 @@ class Loop_closer
   Model& m_model;
   const Open_cascade_surface_3& m_surface;
   const std::vector<double>& m_vertex_tolerances;
-  double m_least_tolerance;
+  double m_least_tolerance, m_widest_gap;
   double m_tolerance_u = 0, m_tolerance_v = 0; // in the domain, of a length of 1 in space
   Bbox_2 m_box;
   std::map<std::size_t, std::vector<Point_2>> m_corners; // of each vertex
 
 public:
-  // `least_tolerance`: a distance in space that is never too wide
+  // Distances in space: points closer than `least_tolerance` are one whatever the tolerance of their vertex is, and ends of
+  // curves that follow each other are joined if they are closer than `widest_gap`.
   Loop_closer(Model& model, const Open_cascade_surface_3& surface, const std::vector<double>& vertex_tolerances,
-              double least_tolerance)
-    : m_model(model), m_surface(surface), m_vertex_tolerances(vertex_tolerances), m_least_tolerance(least_tolerance)
+              double least_tolerance, double widest_gap)
+    : m_model(model), m_surface(surface), m_vertex_tolerances(vertex_tolerances), m_least_tolerance(least_tolerance),
+      m_widest_gap(widest_gap)
   {}
 
   // \pre the uses of each loop follow each other, by their vertices
@@ -232,7 +234,7 @@ private:
   void check_gap(const Point_2& p, const Point_2& q, std::size_t vertex) const
   {
     const double gap = std::sqrt(squared_distance(m_surface.point(p.x(), p.y()), m_surface.point(q.x(), q.y())));
-    if(!(gap <= tolerance(vertex)) || !are_close(p, q, (std::max)(tolerance(vertex), 1e3 * gap)))
+    if(!(gap <= (std::max)(tolerance(vertex), m_widest_gap)) || !are_close(p, q, (std::max)(tolerance(vertex), 1e3 * gap)))
       throw Parametric_surface_mesh_error("a loop is open in the domain, between (u,v) = " + describe(p) + " and "
                                           + describe(q) + ", " + describe(gap) + " apart in space");
   }

@@ -57,7 +57,7 @@ public:
     TopExp::MapShapes(shape, TopAbs_FACE, m_faces);
     m_result.number_of_shape_faces = std::size_t(m_faces.Extent());
     m_result.number_of_shape_edges = std::size_t(m_edges.Extent());
-    m_result.diagonal = diagonal_of(shape);
+    m_result.diagonal = diagonal();
   }
 
   Open_cascade_model_3 operator()(const TopoDS_Shape& shape)
@@ -74,10 +74,17 @@ public:
 private:
   Model& model() { return m_result.model; }
 
-  static double diagonal_of(const TopoDS_Shape& shape)
+  // A face whose curves in the domain are missing may have an infinite box: then its edges must do.
+  double diagonal() const
   {
     Bnd_Box box;
-    BRepBndLib::Add(shape, box, false);
+    for(const TopTools_IndexedMapOfShape* shapes : {&m_edges, &m_faces})
+      for(int i = 1; i <= shapes->Extent(); ++i) {
+        Bnd_Box part;
+        BRepBndLib::Add((*shapes)(i), part, false);
+        if(!part.IsVoid() && !part.IsOpen() && part.SquareExtent() < 1e30)
+          box.Add(part);
+      }
     if(box.IsVoid() || !(box.SquareExtent() > 0))
       throw Parametric_surface_mesh_error("the shape has no extent");
     return std::sqrt(box.SquareExtent());

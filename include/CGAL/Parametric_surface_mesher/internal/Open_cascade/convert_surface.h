@@ -13,6 +13,7 @@
 
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Kernel_guard.h>
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Periodic_b_spline_surface_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Stereographic_sphere_3.h>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -85,7 +86,7 @@ template <class Kernel>
 using Any_surface_3
   = std::variant<Parametric_plane_3<Kernel>, Parametric_cylinder_3<Kernel>, Parametric_cone_3<Kernel>,
                  Parametric_sphere_3<Kernel>, Parametric_torus_3<Kernel>, Bezier_surface_3<Kernel>,
-                 Periodic_b_spline_surface_3<Kernel>, Kernel_surface_3<Kernel>>;
+                 Periodic_b_spline_surface_3<Kernel>, Stereographic_sphere_3<Kernel>, Kernel_surface_3<Kernel>>;
 
 inline std::vector<double> flat_knots(const TColStd_Array1OfReal& knots)
 {

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# This file is part of Parametric_surface_mesher, an extension package of CGAL.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Triangles per second of processor time of mesh_cad, Gmsh and Netgen on the same CAD files, in one run.
+
+Usage: compare_cad_meshers.py MESH_CAD FILE...
+
+MESH_CAD is the program. Gmsh and Netgen are those of the Python interpreter (Debian: python3-gmsh, python3-netgen, for
+/usr/bin/python3); one that is missing is left out. Sizes are between diagonal/1000 and diagonal/20 for all; Gmsh has 20
+elements per turn, Netgen a grading of 0.3 and 2 elements per edge and curvature radius. mesh_cad runs twice: with its
+defaults, and with bounds of the deviation that bring it to about as many triangles as the others. Reading the file is not
+counted. Each run has a process of its own and 120 seconds.
+"""
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+
+LIMIT = 120
+
+
+def cpu():
+    return time.process_time()
+
+
+def run_gmsh(name, diagonal):
+    import gmsh
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    gmsh.option.setNumber("General.NumThreads", 1)
+    gmsh.option.setString("Geometry.OCCTargetUnit", "MM")
+    gmsh.model.occ.importShapes(name)
+    gmsh.model.occ.synchronize()
+    gmsh.option.setNumber("Mesh.MeshSizeMax", diagonal / 20)
+    gmsh.option.setNumber("Mesh.MeshSizeMin", diagonal / 1000)
+    gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", 20)
+    gmsh.option.setNumber("Mesh.CharacteristicLengthFromCurvature", 20)
+    gmsh.option.setNumber("Mesh.MinimumElementsPerTwoPi", 20)
+    start = cpu()
+    gmsh.model.mesh.generate(2)
+    seconds = cpu() - start
+    types, tags, _ = gmsh.model.mesh.getElements(2)
+    return sum(len(t) for t in tags), seconds
+
+
+def run_netgen(name, diagonal):
+    import netgen.occ as occ
+    import netgen.meshing as meshing
+    geometry = occ.OCCGeometry(name)
+    parameters = meshing.MeshingParameters(maxh=diagonal / 20, minh=diagonal / 1000, grading=0.3,
+                                           segmentsperedge=2, curvaturesafety=2, perfstepsend=meshing.MeshingStep.MESHSURFACE,
+                                           optsteps2d=3)
+    start = cpu()
+    mesh = geometry.GenerateMesh(parameters)
+    seconds = cpu() - start
+    return len(mesh.Elements2D()), seconds
+
+
+def run_mesh_cad(program, name, options):
+    with tempfile.TemporaryDirectory() as folder:
+        out = os.path.join(folder, "numbers.json")
+        subprocess.run([program, name, "--quiet", "--json", out] + options, check=False)
+        with open(out) as f:
+            numbers = json.load(f)
+    return numbers["triangles"], numbers["seconds"]["model"] + numbers["seconds"]["meshing"], numbers["diagonal"]
+
+
+def in_process(mesher, name, diagonal):
+    """Runs this script again for one mesher and file; returns (triangles, seconds) or the reason why not."""
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT))
+    done = subprocess.run([sys.executable, __file__, "--run", mesher, name, repr(diagonal)], preexec_fn=limit,
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False)
+    last = done.stdout.strip().split("\n")[-1].split()
+    if done.returncode == 0 and len(last) == 3 and last[0] == "result":
+        return int(last[1]), float(last[2])
+    return "time-out" if done.returncode < 0 else "failed"
+
+
+def has(module):
+    return subprocess.run([sys.executable, "-c", "import " + module], stderr=subprocess.DEVNULL, check=False).returncode == 0
+
+
+def describe(result):
+    return result if isinstance(result, str) else "%d, %.2f s, %.1fk/s" % (result[0], result[1], result[0] / result[1] / 1e3)
+
+
+def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    if sys.argv[1] == "--run":
+        run = {"gmsh": run_gmsh, "netgen": run_netgen}[sys.argv[2]]
+        print("result %d %.6f" % run(sys.argv[3], float(sys.argv[4])))
+        return
+    program, files = sys.argv[1], sys.argv[2:]
+    others = [mesher for mesher, module in (("gmsh", "gmsh"), ("netgen", "netgen.occ")) if has(module)]
+    coarse = ["--gamma", "0.12", "--relative-distance", "0.002"]
+    print("| model | mesh_cad | mesh_cad, coarser | " + " | ".join(others) + " | "
+          + " | ".join("times " + mesher for mesher in others) + " |")
+    print("|---|" + "---:|" * (2 + 2 * len(others)))
+    for name in files:
+        triangles, seconds, diagonal = run_mesh_cad(program, name, [])
+        coarser = run_mesh_cad(program, name, coarse)
+        results = [in_process(mesher, name, diagonal) for mesher in others]
+        ratios = ["-" if isinstance(r, str) else "%.0f" % (coarser[0] / coarser[1] * r[1] / r[0]) for r in results]
+        print("| %s | %s | %s | %s | %s |" % (os.path.basename(name), describe((triangles, seconds)), describe(coarser[:2]),
+                                          " | ".join(describe(r) for r in results), " | ".join(ratios)), flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,88 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A program from outside: command lines, exit statuses and files.
+#ifndef PROGRAM_TEST_H
+#define PROGRAM_TEST_H
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+inline std::string content(const std::filesystem::path& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+// A directory of its own for each test, which goes away with it.
+class Program_test : public testing::Test
+{
+protected:
+  struct Result
+  {
+    int status;
+    std::string out, err;
+  };
+
+  std::string program;
+  std::filesystem::path directory;
+
+  explicit Program_test(const std::string& p) : program(p) {}
+
+  void SetUp() override
+  {
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    directory = std::filesystem::temp_directory_path() / ("program_" + test + "_" + std::to_string(getpid()));
+    std::filesystem::create_directories(directory / "files");
+  }
+
+  void TearDown() override { std::filesystem::remove_all(directory); }
+
+  std::string file(const std::string& name) const { return (directory / "files" / name).string(); }
+
+  // runs the program in the directory "files", with arguments as in a shell
+  Result run(const std::string& arguments) const
+  {
+    const std::string command = "cd '" + (directory / "files").string() + "' && '" + program + "' " + arguments
+                                + " > ../out 2> ../err";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(directory / "out"), content(directory / "err")};
+  }
+
+  std::size_t number_of_files() const
+  {
+    return std::distance(std::filesystem::directory_iterator(directory / "files"), std::filesystem::directory_iterator());
+  }
+
+  nlohmann::json json(const std::string& arguments) const
+  {
+    const Result result = run(arguments + " --json result.json");
+    EXPECT_EQ(result.status, 0) << arguments << "\n" << result.err;
+    return nlohmann::json::parse(content(file("result.json")));
+  }
+
+  // One line on stderr that contains `hint`, status 2, nothing on stdout, no file.
+  void expect_refused(const std::string& arguments, const std::string& hint) const
+  {
+    const std::size_t before = number_of_files();
+    const Result result = run(arguments);
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << "\n" << result.err;
+    EXPECT_NE(result.err.find(hint), std::string::npos) << arguments << "\n" << result.err;
+    EXPECT_EQ(number_of_files(), before) << arguments;
+  }
+};
+
+#endif // PROGRAM_TEST_H

@@ -1,0 +1,200 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The program mesh_cad from outside.
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "program_test.h"
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_Plane.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Pln.hxx>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+class Mesh_cad_program : public Program_test
+{
+protected:
+  Mesh_cad_program() : Program_test(MESH_CAD_PROGRAM) {}
+
+  void SetUp() override
+  {
+    Program_test::SetUp();
+    STEPControl_Writer step;
+    step.Transfer(box(), STEPControl_AsIs);
+    step.Write(file("box.step").c_str());
+    BRepTools::Write(box(), file("box.brep").c_str());
+  }
+
+  static TopoDS_Shape box() { return BRepPrimAPI_MakeBox(1, 2, 3).Shape(); }
+
+  // a box and a square whose boundary crosses itself
+  void write_dirty_file(const std::string& name) const
+  {
+    BRep_Builder builder;
+    BRepBuilderAPI_MakePolygon polygon;
+    for(const gp_Pnt& p : {gp_Pnt(0, 0, 0), gp_Pnt(1, 1, 0), gp_Pnt(1, 0, 0), gp_Pnt(0, 1, 0)})
+      polygon.Add(p);
+    polygon.Close();
+    TopoDS_Face face;
+    builder.MakeFace(face, new Geom_Plane(gp_Pln()), 1e-7);
+    builder.Add(face, polygon.Wire());
+    TopoDS_Compound compound;
+    builder.MakeCompound(compound);
+    builder.Add(compound, face);
+    builder.Add(compound, BRepPrimAPI_MakeBox(gp_Pnt(5, 0, 0), 1, 2, 3).Shape());
+    BRepTools::Write(compound, file(name).c_str());
+  }
+
+  double volume(const std::string& name) const
+  {
+    Mesh mesh;
+    EXPECT_TRUE(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file(name), mesh)) << name;
+    EXPECT_TRUE(CGAL::is_closed(mesh)) << name;
+    return CGAL::Polygon_mesh_processing::volume(mesh);
+  }
+};
+
+TEST_F(Mesh_cad_program, helps)
+{
+  const Result result = run("--help");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+  for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--distance", "--relative-distance", "--angle", "--closeness",
+                            "--face-size", "--edge-size", "--faces", "--unit", "--heal", "--out", "--picture", "--json", "--quiet",
+                            ".vtu", ".msh", ".inp", ".step", ".iges", ".brep", "Exit status"})
+    EXPECT_NE(result.out.find(option), std::string::npos) << option;
+}
+
+TEST_F(Mesh_cad_program, writes_closed_meshes_in_all_formats)
+{
+  for(const char* name : {"box.off", "box.obj", "box.ply", "box.stl"}) {
+    const Result result = run(std::string("box.step --out ") + name);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("6 faces"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("closed"), std::string::npos) << result.out;
+    if(std::string(name) != "box.stl") { // a soup
+      EXPECT_NEAR(volume(name), 6, 1e-6) << name;
+    }
+  }
+}
+
+TEST_F(Mesh_cad_program, tells_the_face_of_each_triangle)
+{
+  ASSERT_EQ(run("box.brep --quiet --out box.msh").status, 0);
+  ASSERT_EQ(run("box.brep --quiet --out box.vtu").status, 0);
+  ASSERT_EQ(run("box.brep --quiet --out box.inp").status, 0);
+  const std::string msh = content(file("box.msh")), vtu = content(file("box.vtu")), inp = content(file("box.inp"));
+  EXPECT_NE(msh.find("2.2 0 8"), std::string::npos);
+  for(int face = 1; face <= 6; ++face) {
+    EXPECT_NE(msh.find("2 " + std::to_string(face) + " \"face_" + std::to_string(face) + "\""), std::string::npos);
+    EXPECT_NE(inp.find("ELSET=FACE_" + std::to_string(face) + "\n"), std::string::npos);
+  }
+  EXPECT_NE(vtu.find("Name=\"face_id\""), std::string::npos);
+  std::istringstream elements(msh.substr(msh.find("$Elements") + 9));
+  std::size_t n = 0;
+  elements >> n;
+  EXPECT_EQ(n, json("box.brep --quiet")["triangles"]);
+}
+
+TEST_F(Mesh_cad_program, numbers)
+{
+  const nlohmann::json numbers = json("box.step --quiet");
+  EXPECT_EQ(numbers["faces"], 6);
+  EXPECT_EQ(numbers["meshed_faces"], 6);
+  EXPECT_TRUE(numbers["left_out"].empty());
+  EXPECT_TRUE(numbers["closed"]);
+  EXPECT_TRUE(numbers["shape_closed"]);
+  EXPECT_NEAR(numbers["diagonal"], std::sqrt(14.), 1e-5);
+  EXPECT_NEAR(numbers["max_edge"], std::sqrt(14.) / 20, 1e-5);
+  EXPECT_NEAR(numbers["area"], 22, 1e-9);
+  EXPECT_GE(numbers["min_angle"], 25);
+  EXPECT_EQ(numbers["below_10"], 0);
+  EXPECT_LE(numbers["distance"], 1e-12);
+}
+
+TEST_F(Mesh_cad_program, follows_sizes)
+{
+  const std::size_t coarse = json("box.step --quiet --max-edge 1")["triangles"], fine = json("box.step --quiet --max-edge 0.05")["triangles"],
+                    one = json("box.step --quiet --max-edge 1 --face-size 1:0.05")["triangles"],
+                    edge = json("box.step --quiet --max-edge 1 --edge-size 1:0.05")["triangles"];
+  EXPECT_LT(50 * coarse, fine);
+  EXPECT_LT(10 * coarse, one);
+  EXPECT_LT(one, fine);
+  EXPECT_LT(2 * coarse, edge);
+}
+
+TEST_F(Mesh_cad_program, follows_the_unit)
+{
+  EXPECT_NEAR(json("box.step --quiet --unit M")["area"], 22e-6, 1e-12);
+}
+
+TEST_F(Mesh_cad_program, meshes_some_faces_only)
+{
+  const nlohmann::json numbers = json("box.step --quiet --faces 1,3-4");
+  EXPECT_EQ(numbers["meshed_faces"], 3);
+  EXPECT_FALSE(numbers["closed"]);
+}
+
+TEST_F(Mesh_cad_program, leaves_out_faces_that_cannot_be_meshed)
+{
+  write_dirty_file("dirty.brep");
+  const Result result = run("dirty.brep --out dirty.off --json dirty.json");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.err, "");
+  EXPECT_NE(result.out.find("LEFT OUT face 1: the boundary crosses"), std::string::npos) << result.out;
+  EXPECT_NEAR(volume("dirty.off"), 6, 1e-9);
+  const auto numbers = nlohmann::json::parse(content(file("dirty.json")));
+  ASSERT_EQ(numbers["left_out"].size(), 1u);
+  EXPECT_EQ(numbers["left_out"][0]["face"], 1);
+}
+
+TEST_F(Mesh_cad_program, heals) { EXPECT_EQ(run("box.step --heal --out healed.off").status, 0); }
+
+TEST_F(Mesh_cad_program, draws)
+{
+  EXPECT_EQ(run("box.step --quiet --picture box.svg").status, 0);
+  EXPECT_NE(content(file("box.svg")).find("<svg"), std::string::npos);
+}
+
+TEST_F(Mesh_cad_program, refuses_what_it_cannot_do)
+{
+  std::ofstream(file("garbage.step")) << "garbage\n";
+  std::ofstream(file("garbage.brep")) << "garbage\n";
+  expect_refused("", "no input file");
+  expect_refused("nowhere.step --out a.off", "cannot open");
+  expect_refused("garbage.step --out a.off", "no STEP file");
+  expect_refused("garbage.brep --out a.off", "no BREP file");
+  expect_refused("box.txt --out a.off", "cannot open");
+  expect_refused("box.step box.brep", "more than one");
+  expect_refused("box.step --out a.xyz", ".off or .obj");
+  expect_refused("box.step --angle 60", "--angle");
+  expect_refused("box.step --max-edge -1", "--max-edge");
+  expect_refused("box.step --max-edge 1 --min-edge 2", "--min-edge");
+  expect_refused("box.step --faces 7", "there is no face 7");
+  expect_refused("box.step --faces 3-1", "no range");
+  expect_refused("box.step --face-size 1", "--face-size");
+  expect_refused("box.step --edge-size 99:1", "there is no edge 99");
+  expect_refused("box.step --unit PARSEC", "no unit");
+  expect_refused("box.step --out nowhere/a.off", "cannot write");
+}
+
+} // namespace

@@ -1,0 +1,238 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shapes with faults: what can be meshed is meshed, the rest is named.
+#include "open_cascade_test_helpers.h"
+
+#include <CGAL/repair_open_cascade_shape.h>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes)
+{
+  BRep_Builder builder;
+  TopoDS_Compound result;
+  builder.MakeCompound(result);
+  for(const TopoDS_Shape& shape : shapes)
+    builder.Add(result, shape);
+  return result;
+}
+
+TopoDS_Wire polygon(const std::vector<gp_Pnt>& points)
+{
+  BRepBuilderAPI_MakePolygon result;
+  for(const gp_Pnt& p : points)
+    result.Add(p);
+  result.Close();
+  return result.Wire();
+}
+
+// a face with the given boundary, whatever that is
+TopoDS_Face face_of(const TopoDS_Wire& wire, const Handle(Geom_Surface)& surface)
+{
+  BRep_Builder builder;
+  TopoDS_Face result;
+  builder.MakeFace(result, surface, 1e-7);
+  builder.Add(result, wire);
+  return result;
+}
+
+// a quarter of a cylinder of radius 1 with its boundary, and a square
+TopoDS_Face cylinder_face()
+{
+  return BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(), 1), 0.3, 1.9, 0., 2., 1e-7).Face();
+}
+
+void remove_domain_curves(const TopoDS_Face& face)
+{
+  BRep_Builder builder;
+  for(TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
+    builder.UpdateEdge(TopoDS::Edge(edge.Current()), Handle(Geom2d_Curve)(), face, 1e-7);
+}
+
+TEST(Dirty_shapes, missing_curves_in_the_domain_are_rebuilt)
+{
+  const TopoDS_Face face = cylinder_face();
+  remove_domain_curves(face);
+  const Meshed_shape meshed(face);
+  EXPECT_EQ(meshed.shape.number_of_rebuilt_curves, 4u);
+  EXPECT_TRUE(meshed.shape.left_out.empty());
+  EXPECT_NEAR(meshed.quality.area, 3.2, 0.01);
+  EXPECT_EQ(Cad_mesh_judge(cylinder_face(), meshed.judged())().text(), "ok");
+}
+
+TEST(Dirty_shapes, curves_in_the_domain_that_are_far_off_are_rebuilt)
+{
+  const TopoDS_Face face = cylinder_face();
+  const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(face, TopAbs_EDGE).Current());
+  double first, last;
+  const Handle(Geom2d_Curve) curve
+    = Handle(Geom2d_Curve)::DownCast(BRep_Tool::CurveOnSurface(edge, face, first, last)->Translated(gp_Vec2d(0.1, 0.05)));
+  BRep_Builder().UpdateEdge(edge, curve, face, 1e-7);
+  const Meshed_shape meshed(face);
+  EXPECT_EQ(meshed.shape.number_of_rebuilt_curves, 1u);
+  EXPECT_LT(meshed.shape.largest_gap, 1e-5);
+  EXPECT_NEAR(meshed.quality.area, 3.2, 0.01);
+}
+
+TEST(Dirty_shapes, gaps_above_the_tolerance_are_reported)
+{
+  const TopoDS_Face face = cylinder_face();
+  const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(face, TopAbs_EDGE).Current());
+  double first, last;
+  const Handle(Geom2d_Curve) curve
+    = Handle(Geom2d_Curve)::DownCast(BRep_Tool::CurveOnSurface(edge, face, first, last)->Translated(gp_Vec2d(1e-4, 1e-4)));
+  BRep_Builder().UpdateEdge(edge, curve, face, 1e-7);
+  const Meshed_shape meshed(face);
+  EXPECT_NEAR(meshed.shape.largest_gap, std::sqrt(2.) * 1e-4, 1e-6);
+  ASSERT_FALSE(meshed.shape.gaps.empty());
+  EXPECT_EQ(meshed.shape.gaps.front().shape_face, 0u);
+  EXPECT_NEAR(meshed.shape.gaps.front().tolerance, 1e-7, 1e-9);
+}
+
+TEST(Dirty_shapes, an_open_loop_does_not_matter_for_other_faces)
+{
+  BRepBuilderAPI_MakeWire open;
+  open.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 5), gp_Pnt(1, 0, 5)).Edge());
+  open.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(1, 0, 5), gp_Pnt(1, 1, 5)).Edge());
+  const Handle(Geom_Surface) plane = new Geom_Plane(gp_Pln(gp_Pnt(0, 0, 5), gp_Dir(0, 0, 1)));
+  const TopoDS_Shape good = BRepPrimAPI_MakeBox(2, 2, 2).Shape();
+  const Meshed_shape meshed(compound_of({face_of(open.Wire(), plane), good}));
+  ASSERT_EQ(meshed.shape.left_out.size(), 1u);
+  EXPECT_NE(meshed.shape.left_out[0].reason.find("open"), std::string::npos) << meshed.shape.left_out[0].reason;
+  EXPECT_TRUE(meshed.quality.is_closed);
+  EXPECT_NEAR(meshed.volume(), 8, 1e-9);
+}
+
+TEST(Dirty_shapes, a_face_without_boundary_is_left_out)
+{
+  BRep_Builder builder;
+  TopoDS_Face empty;
+  builder.MakeFace(empty, new Geom_Plane(gp_Pln()), 1e-7);
+  const Meshed_shape meshed(compound_of({BRepPrimAPI_MakeBox(2, 2, 2).Shape(), empty}));
+  ASSERT_EQ(meshed.shape.left_out.size(), 1u);
+  EXPECT_EQ(meshed.shape.left_out[0].shape_face, 6u);
+  EXPECT_TRUE(meshed.quality.is_closed);
+}
+
+TEST(Dirty_shapes, a_boundary_that_crosses_itself_is_left_out)
+{
+  const Handle(Geom_Surface) plane = new Geom_Plane(gp_Pln());
+  const TopoDS_Face bow_tie = face_of(polygon({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}), plane);
+  const Meshed_shape meshed(compound_of({BRepPrimAPI_MakeBox(gp_Pnt(3, 0, 0), 2, 2, 2).Shape(), bow_tie}));
+  EXPECT_TRUE(meshed.shape.left_out.empty());
+  ASSERT_EQ(meshed.report.left_out.size(), 1u);
+  EXPECT_EQ(meshed.shape.shape_faces[meshed.report.left_out[0].face], 6u);
+  EXPECT_NE(meshed.report.left_out[0].reason.find("crosses"), std::string::npos) << meshed.report.left_out[0].reason;
+  EXPECT_TRUE(meshed.quality.is_closed);
+  EXPECT_NEAR(meshed.volume(), 8, 1e-9);
+}
+
+TEST(Dirty_shapes, without_the_parameter_a_bad_face_is_an_error_that_names_it)
+{
+  const TopoDS_Face bow_tie = face_of(polygon({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}), new Geom_Plane(gp_Pln()));
+  const auto shape
+    = CGAL::make_model_of_open_cascade_shape(compound_of({BRepPrimAPI_MakeBox(gp_Pnt(3, 0, 0), 2, 2, 2).Shape(), bow_tie}));
+  Mesh mesh;
+  try {
+    CGAL::make_parametric_surface_mesh(shape.model, cad_criteria(shape.diagonal), mesh);
+    FAIL() << "no exception";
+  }
+  catch(const CGAL::Parametric_surface_mesh_error& error) {
+    ASSERT_TRUE(error.face());
+    EXPECT_EQ(*error.face(), 6u);
+    EXPECT_EQ(mesh.number_of_faces(), 0u);
+  }
+}
+
+TEST(Dirty_shapes, no_face_that_can_be_meshed_is_an_error)
+{
+  const TopoDS_Face bow_tie = face_of(polygon({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}), new Geom_Plane(gp_Pln()));
+  EXPECT_THROW(Meshed_shape{bow_tie}, CGAL::Parametric_surface_mesh_error);
+}
+
+TEST(Dirty_shapes, tiny_edges_stay_watertight)
+{
+  // a prism whose polygon has an edge of 1e-5
+  const TopoDS_Wire wire = polygon({{0, 0, 0}, {1, 0, 0}, {1, 0.5, 0}, {1 - 1e-5, 0.50001, 0}, {0, 1, 0}});
+  const Meshed_shape meshed(BRepBuilderAPI_MakeFace(wire).Shape());
+  EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u);
+  EXPECT_NEAR(meshed.quality.area, 0.75, 1e-4);
+}
+
+TEST(Dirty_shapes, a_slit_is_no_boundary)
+{
+  // a square with a line into its inside, there and back
+  const gp_Pnt a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0), m(0.5, 0.5, 0);
+  const TopoDS_Vertex va = BRepBuilderAPI_MakeVertex(a), vb = BRepBuilderAPI_MakeVertex(b), vc = BRepBuilderAPI_MakeVertex(c),
+                      vd = BRepBuilderAPI_MakeVertex(d), vm = BRepBuilderAPI_MakeVertex(m);
+  const TopoDS_Edge slit = BRepBuilderAPI_MakeEdge(va, vm).Edge();
+  BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  builder.Add(wire, slit);
+  builder.Add(wire, slit.Reversed());
+  builder.Add(wire, BRepBuilderAPI_MakeEdge(va, vb).Edge());
+  builder.Add(wire, BRepBuilderAPI_MakeEdge(vb, vc).Edge());
+  builder.Add(wire, BRepBuilderAPI_MakeEdge(vc, vd).Edge());
+  builder.Add(wire, BRepBuilderAPI_MakeEdge(vd, va).Edge());
+  const Meshed_shape meshed(face_of(wire, new Geom_Plane(gp_Pln())));
+  EXPECT_TRUE(meshed.shape.left_out.empty());
+  EXPECT_NEAR(meshed.quality.area, 1, 1e-10);
+  EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u);
+}
+
+TEST(Dirty_shapes, faces_that_do_not_agree_about_the_outside_are_turned)
+{
+  const TopoDS_Shape solid = BRepPrimAPI_MakeBox(2, 2, 2).Shape();
+  BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  bool is_first = true;
+  for(TopExp_Explorer face(solid, TopAbs_FACE); face.More(); face.Next(), is_first = false)
+    builder.Add(shell, is_first ? face.Current().Reversed() : face.Current());
+  const Meshed_shape meshed(shell);
+  EXPECT_GE(meshed.shape.number_of_reversed_faces, 1u);
+  EXPECT_TRUE(meshed.quality.is_closed);
+  EXPECT_NEAR(meshed.volume(), 8, 1e-9);
+}
+
+TEST(Dirty_shapes, repair_changes_a_copy)
+{
+  const TopoDS_Face face = cylinder_face();
+  remove_domain_curves(face);
+  const TopoDS_Shape repaired = CGAL::repair_open_cascade_shape(face);
+  EXPECT_EQ(CGAL::make_model_of_open_cascade_shape(repaired).number_of_rebuilt_curves, 0u);
+  EXPECT_EQ(CGAL::make_model_of_open_cascade_shape(face).number_of_rebuilt_curves, 4u);
+}
+
+TEST(Dirty_shapes, an_empty_shape_is_refused)
+{
+  EXPECT_THROW(CGAL::make_model_of_open_cascade_shape(TopoDS_Shape()), CGAL::Parametric_surface_mesh_error);
+  EXPECT_THROW(CGAL::make_model_of_open_cascade_shape(compound_of({})), CGAL::Parametric_surface_mesh_error);
+}
+
+} // namespace
