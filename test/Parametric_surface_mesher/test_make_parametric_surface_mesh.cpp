@@ -164,7 +164,8 @@ TEST(Make_parametric_surface_mesh, visitor)
   Stopping_visitor visitor(100000000);
   Mesh mesh;
   add_patch(peak.surface, peak.domain, uniform(peak, 10000), mesh, CGAL::parameters::visitor(std::ref(visitor)));
-  EXPECT_EQ((std::vector<std::string>{"division", "triangulation", "refinement", "improvement", "output"}), visitor.phases);
+  EXPECT_EQ((std::vector<std::string>{"division", "triangulation", "refinement", "smoothing", "refinement", "improvement", "output"}),
+            visitor.phases);
   EXPECT_GE(visitor.progress_calls, 5u);
   EXPECT_LE(visitor.vertices, mesh.number_of_vertices());
 }

@@ -38,6 +38,8 @@ class Advancing_front
 
   static constexpr double squared_done_ratio = 1.3 * 1.3; // of the circumradius to that of the equilateral triangle
   static constexpr double squared_accepted_error = 0.01 * 0.01;
+  static constexpr double share_of_spacing = 0.8;
+  static constexpr double smallest_height = 0.3; // of a new triangle, by its side
   static const int max_number_of_corrections = 2;
 
   Triangulation& m_triangulation;
@@ -132,19 +134,35 @@ private:
     return result;
   }
 
+  // Where the surface allows less than the spacing of the edge's ends, the sides are to be between the two.
   bool place(Face_handle face, int front, const Face_measures& measures, Candidate& candidate) const
   {
-    const Vertex_handle v = face->vertex((front + 1) % 3), w = face->vertex((front + 2) % 3);
-    const Point &p = v->point(), &q = w->point();
-    const double spacing = 0.5 * (v->spacing() + w->spacing());
+    const double spacing = 0.5 * (face->vertex((front + 1) % 3)->spacing() + face->vertex((front + 2) % 3)->spacing());
+    if(!place(face, front, measures, spacing, candidate))
+      return false;
+    const double limit = m_points.spacing_limit(candidate);
+    Candidate closer;
+    if(limit < share_of_spacing * spacing && place(face, front, measures, 0.5 * (spacing + limit), closer))
+      candidate = closer;
+    return true;
+  }
+
+  bool place(Face_handle face, int front, const Face_measures& measures, double side, Candidate& candidate) const
+  {
+    const Point &p = face->vertex((front + 1) % 3)->point(), &q = face->vertex((front + 2) % 3)->point();
     const double quarter = measures.squared_lengths[front] / 4; // the square of half the edge
-    const double center_height = height_of_circumcenter(measures, front);
-    const double height = (std::min)(std::sqrt((std::max)(spacing * spacing - quarter, quarter)), center_height);
-    if(!(height > 0.3 * spacing))
+    const double height = (std::min)(std::sqrt((std::max)(side * side - quarter, quarter)), height_of_circumcenter(measures, front));
+    if(!(height > smallest_height * side))
       return false;
     if(!m_points.locate(face, Point_placement<Kernel>::apex(p, q, height / (2 * std::sqrt(quarter))), candidate))
       return false;
-    const double squared_side = height * height + quarter;
+    correct(p, q, height * height + quarter, candidate);
+    return true;
+  }
+
+  // by Newton steps, as long as they bring it closer
+  void correct(const Point& p, const Point& q, double squared_side, Candidate& candidate) const
+  {
     double error = squared_error(candidate, p, q, squared_side);
     for(int step = 0; step < max_number_of_corrections && error > squared_accepted_error; ++step) {
       Candidate corrected;
@@ -156,7 +174,6 @@ private:
       candidate = corrected;
       error = corrected_error;
     }
-    return true;
   }
 
   // over the edge opposite to corner `i`; negative if the angle there is obtuse
@@ -208,7 +225,7 @@ private:
     return false;
   }
 
-  void insert(const Candidate& candidate)
+  void insert(Candidate& candidate)
   {
     const Vertex_handle vertex = m_points.insert(candidate);
     for(Face_handle face : m_points.star())

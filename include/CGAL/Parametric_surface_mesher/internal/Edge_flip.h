@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -17,6 +18,7 @@ template <class Triangulation>
 class Edge_flip
 {
   typedef typename Triangulation::Face_handle Face_handle;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Point Point;
   typedef std::array<double, 3> Squared_lengths;
 
@@ -34,12 +36,17 @@ public:
 
   std::array<Face_handle, 2> faces() const { return {m_face, m_across}; }
 
-  // Whether the quadrilateral is strictly convex in the domain; exact.
+  // Whether the quadrilateral is strictly convex in the domain, which is exact, and no inner vertex would be joined to a
+  // second copy of a vertex on a seam, since such an edge would have to be split.
   bool is_valid() const
   {
     const auto orientation = m_triangulation.geom_traits().orientation_2_object();
-    return orientation(m_points[0], m_points[1], m_points[2]) == LEFT_TURN
-           && orientation(m_points[2], m_points[3], m_points[0]) == LEFT_TURN;
+    if(orientation(m_points[0], m_points[1], m_points[2]) != LEFT_TURN
+       || orientation(m_points[2], m_points[3], m_points[0]) != LEFT_TURN)
+      return false;
+    const Vertex_handle v = m_face->vertex(m_face->index(m_across)), w = m_across->vertex(m_across->index(m_face));
+    return v->is_on_boundary() == w->is_on_boundary()
+           || !(v->is_on_boundary() ? has_neighbor_with_index(w, v->index()) : has_neighbor_with_index(v, w->index()));
   }
 
   // the smaller value of `quality`, a function of squared lengths, that the two triangles have
@@ -71,6 +78,17 @@ public:
   }
 
 private:
+  bool has_neighbor_with_index(Vertex_handle vertex, std::size_t index) const
+  {
+    auto neighbor = m_triangulation.incident_vertices(vertex);
+    const auto first = neighbor;
+    do
+      if(neighbor->is_on_boundary() && neighbor->index() == index)
+        return true;
+    while(++neighbor != first);
+    return false;
+  }
+
   template <class MetricField>
   Squared_lengths squared_lengths(const MetricField& metric, int i, int j, int k) const
   {

@@ -36,6 +36,7 @@ public:
   {
     Location location;
     typename Evaluator::Position position;
+    double spacing_limit = -1; // not yet evaluated
   };
 
 private:
@@ -57,6 +58,7 @@ public:
   // boundary nor on it, nor at a vertex. The location is that of where the walk came to, in any case.
   bool locate(Face_handle from, const Point_2& uv, Candidate& candidate) const
   {
+    candidate.spacing_limit = -1;
     candidate.location = walk_in_domain(m_triangulation, from, uv);
     if(candidate.location.kind != Location::IN_FACE && candidate.location.kind != Location::ON_EDGE)
       return false;
@@ -86,6 +88,14 @@ public:
     return false;
   }
 
+  // what the surface allows there
+  double spacing_limit(Candidate& candidate) const
+  {
+    if(candidate.spacing_limit < 0)
+      candidate.spacing_limit = m_evaluate.spacing_limit(candidate.position);
+    return candidate.spacing_limit;
+  }
+
   // the edges of the star that the candidate would get
   const std::vector<typename Star_of_point<Triangulation>::Edge>& star_of(const Candidate& candidate)
   {
@@ -101,14 +111,14 @@ public:
   }
 
   // its faces are `star()`
-  Vertex_handle insert(const Candidate& candidate)
+  Vertex_handle insert(Candidate& candidate)
   {
     const Vertex_handle vertex = candidate.location.kind == Location::IN_FACE
                                    ? m_insertion.insert_in_face(candidate.position.point, candidate.location.face)
                                    : m_insertion.insert_in_edge(candidate.position.point, candidate.location.face,
                                                                 candidate.location.index);
     m_number_of_replaced_tensors += candidate.position.is_tensor_replaced;
-    vertex->set_spacing((std::min)(spacing_of_star(vertex), m_evaluate.spacing_limit(candidate.position)));
+    vertex->set_spacing((std::min)(spacing_of_star(vertex), spacing_limit(candidate)));
     return vertex;
   }
 

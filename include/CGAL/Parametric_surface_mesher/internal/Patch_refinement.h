@@ -302,7 +302,7 @@ private:
     return smallest;
   }
 
-  void insert(const Candidate& candidate)
+  void insert(Candidate& candidate)
   {
     const Vertex_handle vertex = m_points.insert(candidate);
     for(Face_handle face : m_points.star()) {

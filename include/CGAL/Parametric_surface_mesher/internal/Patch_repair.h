@@ -116,12 +116,12 @@ private:
     }
   }
 
-  // how many fail for another reason than their angles
+  // how many fail a criterion
   template <class Faces>
   std::size_t number_of_failures(const Faces& faces) const
   {
     return std::count_if(faces.begin(), faces.end(),
-                         [this](Face_handle face) { return badness(face) == Mesh_2::IMPERATIVELY_BAD; });
+                         [this](Face_handle face) { return badness(face) != Mesh_2::NOT_BAD; });
   }
 
   bool flip_if_better(Face_handle face, int i, std::vector<Face_handle>& poor)

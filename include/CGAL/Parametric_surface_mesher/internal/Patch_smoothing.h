@@ -65,7 +65,7 @@ private:
   {
     m_star.collect(vertex);
     const Star_quality before = m_star.quality(vertex->point());
-    if(before.worst > quality_of_perfect_star)
+    if(before.mean_ratio > quality_of_perfect_star)
       return false;
     const Point_2 target = m_star.mean_of_apices();
     if(!m_star.is_around(target))
@@ -77,13 +77,15 @@ private:
     return true;
   }
 
-  // neither too large nor too short, or no more so than now
+  // no triangle too large, and no edge too short, or more so than now; and no triangle on the wrong side
   bool is_allowed(const Point& point, const Point& old_point) const
   {
     if(m_star.squared_size(point) > m_squared_size_factor && m_star.squared_size(point) > m_star.squared_size(old_point))
       return false;
     const double squared_distance = m_star.squared_distance_to_ring(point);
-    return squared_distance >= m_squared_min_edge || squared_distance >= m_star.squared_distance_to_ring(old_point);
+    if(squared_distance < m_squared_min_edge && squared_distance < m_star.squared_distance_to_ring(old_point))
+      return false;
+    return !m_star.is_inverted(point, m_evaluate.oracle());
   }
 
   // Flips the edge opposite to an obtuse angle, if the two triangles become better. Of two opposite angles with a sum above

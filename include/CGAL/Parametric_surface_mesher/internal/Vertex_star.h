@@ -15,21 +15,21 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The shape of triangles: the squared mean ratio, 48 area^2 / (sum of the squared lengths)^2; 1 for an equilateral one.
+// The shape of triangles.
 struct Star_quality
 {
-  double worst = 1;
-  double mean = 0;
+  double squared_sine = 1; // of the smallest angle
+  double mean_ratio = 0;   // squared, in the mean
 
-  // In a star of nearly equilateral triangles the mean counts, else the worst one. (A squared mean ratio of 0.8 is that of
-  // an isosceles triangle with an angle of 40 degrees at its apex.)
+  // In a star without angles below 40 degrees the mean counts, else the smallest angle.
   bool is_better_than(const Star_quality& other) const
   {
-    const double good = 0.8;
-    return worst > other.worst || (worst > good && mean > other.mean);
+    const double good = 0.413;
+    return squared_sine > other.squared_sine || (squared_sine > good && mean_ratio > other.mean_ratio);
   }
 };
 
+// 48 area^2 / (sum of the squared lengths)^2: 1 for an equilateral triangle
 inline double squared_mean_ratio(const std::array<double, 3>& squared_lengths)
 {
   const double sum = squared_lengths[0] + squared_lengths[1] + squared_lengths[2];
@@ -83,11 +83,10 @@ public:
   {
     Star_quality result;
     for_each_triangle(center, [&](std::size_t, const std::array<double, 3>& lengths) {
-      const double squared_ratio = squared_mean_ratio(lengths);
-      result.worst = (std::min)(result.worst, squared_ratio);
-      result.mean += squared_ratio;
+      result.squared_sine = (std::min)(result.squared_sine, face_measures(lengths).squared_smallest_sine);
+      result.mean_ratio += squared_mean_ratio(lengths);
     });
-    result.mean /= double(m_ring.size());
+    result.mean_ratio /= double(m_ring.size());
     return result;
   }
 
@@ -147,6 +146,19 @@ public:
     return true;
   }
 
+  // Whether a triangle would face away from the surface. Where the parametrisation has much the same speed all around, none
+  // can.
+  template <class Oracle>
+  bool is_inverted(const Point& center, const Oracle& oracle) const
+  {
+    if(has_even_speed(center))
+      return false;
+    for(std::size_t k = 0; k < m_ring.size(); ++k)
+      if(oracle.is_inverted(center, ring_point(k), ring_point(k + 1)))
+        return true;
+    return false;
+  }
+
   // moves the centre
   void move_to(const Point& point)
   {
@@ -156,6 +168,19 @@ public:
   }
 
 private:
+  bool has_even_speed(const Point& center) const
+  {
+    double smallest_e = center.tensor().e(), largest_e = smallest_e, smallest_g = center.tensor().g(), largest_g = smallest_g;
+    for(const Vertex_handle& vertex : m_ring) {
+      const auto& tensor = vertex->point().tensor();
+      smallest_e = (std::min)(smallest_e, tensor.e());
+      largest_e = (std::max)(largest_e, tensor.e());
+      smallest_g = (std::min)(smallest_g, tensor.g());
+      largest_g = (std::max)(largest_g, tensor.g());
+    }
+    return largest_e < 2 * smallest_e && largest_g < 2 * smallest_g;
+  }
+
   const Vertex_handle& ring_vertex(std::size_t k) const { return m_ring[k < m_ring.size() ? k : 0]; }
   const Point& ring_point(std::size_t k) const { return ring_vertex(k)->point(); }
 
