@@ -7,7 +7,8 @@ Usage: compare_cad_meshers.py MESH_CAD FILE...
 
 MESH_CAD is the program. Gmsh and Netgen are those of the Python interpreter (Debian: python3-gmsh, python3-netgen, for
 /usr/bin/python3); one that is missing is left out. Sizes are between diagonal/1000 and diagonal/20 for all; Gmsh has 20
-elements per turn, Netgen a grading of 0.3 and 2 elements per edge and curvature radius. mesh_cad runs twice: with its
+elements per turn, Netgen a grading of 0.3 and 2 elements per edge and curvature radius (its smallest size cannot be set
+from Python). mesh_cad runs twice: with its
 defaults, and with bounds of the deviation that bring it to about as many triangles as the others. Reading the file is not
 counted. Each run has a process of its own and 120 seconds.
 """
@@ -47,14 +48,13 @@ def run_gmsh(name, diagonal):
 
 
 def run_netgen(name, diagonal):
-    import netgen.occ as occ
+    import netgen.NgOCC as occ
     import netgen.meshing as meshing
-    geometry = occ.OCCGeometry(name)
-    parameters = meshing.MeshingParameters(maxh=diagonal / 20, minh=diagonal / 1000, grading=0.3,
-                                           segmentsperedge=2, curvaturesafety=2, perfstepsend=meshing.MeshingStep.MESHSURFACE,
-                                           optsteps2d=3)
+    geometry = occ.LoadOCCGeometry(name)
+    parameters = meshing.MeshingParameters(maxh=diagonal / 20, grading=0.3, segmentsperedge=2, curvaturesafety=2,
+                                           perfstepsend=meshing.MeshingStep.MESHSURFACE, optsteps2d=3)
     start = cpu()
-    mesh = geometry.GenerateMesh(parameters)
+    mesh = occ.GenerateMesh(geometry, parameters)
     seconds = cpu() - start
     return len(mesh.Elements2D()), seconds
 
@@ -96,7 +96,7 @@ def main():
         print("result %d %.6f" % run(sys.argv[3], float(sys.argv[4])))
         return
     program, files = sys.argv[1], sys.argv[2:]
-    others = [mesher for mesher, module in (("gmsh", "gmsh"), ("netgen", "netgen.occ")) if has(module)]
+    others = [mesher for mesher, module in (("gmsh", "gmsh"), ("netgen", "netgen.NgOCC")) if has(module)]
     coarse = ["--gamma", "0.12", "--relative-distance", "0.002"]
     print("| model | mesh_cad | mesh_cad, coarser | " + " | ".join(others) + " | "
           + " | ".join("times " + mesher for mesher in others) + " |")

@@ -83,6 +83,7 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
 {
   const auto& q = result.quality;
   const auto& m = result.measures;
+  const auto& s = result.report.seconds;
   nlohmann::ordered_json unmet = nlohmann::ordered_json::array();
   for(const mesh_patch::Unmet_count& count : mesh_patch::unmet_counts(result.report))
     unmet.push_back({{"criterion", count.criterion}, {"cause", count.cause}, {"triangles", count.triangles}});
@@ -105,7 +106,9 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"distance_over_diagonal", m.distance / result.shape.diagonal},
           {"unmet_by", unmet},
           {"seconds", {{"reading", result.reading_seconds}, {"model", result.model_seconds},
-                       {"meshing", result.meshing_seconds}, {"measuring", result.measuring_seconds}}}};
+                       {"meshing", result.meshing_seconds}, {"measuring", result.measuring_seconds}}},
+          {"meshing_phases", {{"division", s.division}, {"triangulation", s.triangulation}, {"refinement", s.refinement},
+                              {"improvement", s.improvement}, {"output", s.output}}}};
 }
 
 inline void write_json(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
