@@ -17,8 +17,10 @@
 
 #include <cstddef>
 #include <ostream>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace mesh_cad {
 
@@ -79,6 +81,20 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
           {"reversed_faces", shape.number_of_reversed_faces}};
 }
 
+inline std::vector<std::size_t> faces_of_shape(const Mesh_cad_result& result, std::vector<std::size_t> faces_of_model)
+{
+  for(std::size_t& face : faces_of_model)
+    face = result.shape.shape_faces[face];
+  return faces_of_model;
+}
+
+inline std::vector<std::size_t> numbers_from_1(std::vector<std::size_t> numbers)
+{
+  for(std::size_t& number : numbers)
+    ++number;
+  return numbers;
+}
+
 inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
 {
   const auto& q = result.quality;
@@ -102,6 +118,8 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"mean_radius_ratio", q.mean_radius_ratio},
           {"below_10", m.below_10},
           {"below_10_at_corners", m.below_10_at_corners},
+          {"tiny_edges", numbers_from_1(m.tiny_edges)},
+          {"sliver_faces", numbers_from_1(faces_of_shape(result, m.sliver_faces))},
           {"distance", m.distance},
           {"distance_over_diagonal", m.distance / result.shape.diagonal},
           {"unmet_by", unmet},
@@ -166,7 +184,11 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
   print_shape(out, result);
   out << "  smallest angle " << q.min_angle << " degrees, its mean " << q.mean_min_angle << "; "
       << mesh_patch::plural(m.below_10, "triangle") << " below 10 degrees, " << m.below_10_at_corners
-      << " of them in corners as sharp\n"
+      << " of them in corners as sharp\n";
+  if(!m.tiny_edges.empty() || !m.sliver_faces.empty())
+    out << "  " << mesh_patch::plural(m.tiny_edges.size(), "tiny edge") << ", "
+        << mesh_patch::plural(m.sliver_faces.size(), "sliver face") << "\n";
+  out
       << "  distance from the shape up to " << m.distance << ", 1/" << std::size_t(result.shape.diagonal / (std::max)(m.distance, 1e-9 * result.shape.diagonal))
       << " of its diagonal\n";
   for(const mesh_patch::Unmet_count& count : mesh_patch::unmet_counts(result.report))
