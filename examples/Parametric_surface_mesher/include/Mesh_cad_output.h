@@ -60,6 +60,15 @@ inline void write_picture(std::ostream& out, const Mesh_cad_options& options, co
   write_surface_picture(out, mesh.points, mesh.triangles, picture);
 }
 
+// A face that two shells share counts once.
+inline std::size_t number_of_meshed_faces(const Mesh_cad_result& result)
+{
+  std::set<std::size_t> faces(result.shape.shape_faces.begin(), result.shape.shape_faces.end());
+  for(const auto& face : result.left_out)
+    faces.erase(face.shape_face);
+  return faces.size();
+}
+
 inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
 {
   const auto& shape = result.shape;
@@ -71,7 +80,7 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
   return {{"diagonal", shape.diagonal},
           {"faces", shape.number_of_shape_faces},
           {"edges", shape.number_of_shape_edges},
-          {"meshed_faces", std::set<std::size_t>(shape.shape_faces.begin(), shape.shape_faces.end()).size() - result.report.left_out.size()},
+          {"meshed_faces", number_of_meshed_faces(result)},
           {"left_out", left_out},
           {"shape_closed", shape.is_shape_closed},
           {"largest_gap", shape.largest_gap},
@@ -188,8 +197,7 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
   if(!m.tiny_edges.empty() || !m.sliver_faces.empty())
     out << "  " << mesh_patch::plural(m.tiny_edges.size(), "tiny edge") << ", "
         << mesh_patch::plural(m.sliver_faces.size(), "sliver face") << "\n";
-  out
-      << "  distance from the shape up to " << m.distance << ", 1/" << std::size_t(result.shape.diagonal / (std::max)(m.distance, 1e-9 * result.shape.diagonal))
+  out << "  distance from the shape up to " << m.distance << ", " << m.distance / result.shape.diagonal
       << " of its diagonal\n";
   for(const mesh_patch::Unmet_count& count : mesh_patch::unmet_counts(result.report))
     out << "  not met: " << count.criterion << " of " << mesh_patch::plural(count.triangles, "triangle") << ", because of the "

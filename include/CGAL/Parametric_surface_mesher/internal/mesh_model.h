@@ -10,6 +10,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Crossing_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
 #include <CGAL/Parametric_surface_mesher/internal/describe.h>
 #include <CGAL/Parametric_surface_mesher/internal/mesh_divided_patch.h>
@@ -119,7 +120,8 @@ private:
     for(const auto& loop : loops)
       for(const auto& vertex : loop)
         mesh.domain_points[vertex.index] = vertex.domain_point;
-    mesh_divided_patch(m_oracles[number], criteria_of_face(face, loops, mesh), loops, m_visitor, mesh, mesh.chords[face.shell], m_report);
+    mesh_divided_patch(m_oracles[number], criteria_of_face(face, loops, mesh), loops, m_visitor, mesh,
+                       mesh.chords[face.shell], m_report);
     if(face.is_reversed)
       mesh.reverse_faces(first);
     mesh.patches.resize(mesh.faces.size(), number);
