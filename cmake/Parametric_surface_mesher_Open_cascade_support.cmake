@@ -4,9 +4,8 @@
 # Defines the target Parametric_surface_mesher::Open_cascade_support, after find_package(OpenCASCADE), as CGAL defines those
 # of its optional libraries: what the headers with open_cascade in their names need.
 
-# Its version file accepts the very version only that is asked for, so the least one is asked for here.
 if(OpenCASCADE_FOUND AND OpenCASCADE_VERSION VERSION_LESS 7.5)
-  set(OpenCASCADE_FOUND OFF)
+  set(OpenCASCADE_FOUND FALSE)
 endif()
 if(OpenCASCADE_FOUND AND NOT TARGET Parametric_surface_mesher::Open_cascade_support)
   add_library(Parametric_surface_mesher::Open_cascade_support INTERFACE IMPORTED)

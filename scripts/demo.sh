@@ -2,7 +2,8 @@
 # This file is part of Parametric_surface_mesher, an extension package of CGAL.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds mesh_patch, and meshes the Utah teapot and the paper's four kinds of surface.
+# Installs what is missing, builds mesh_patch and mesh_cad, and meshes the Utah teapot, the paper's four kinds of surface and
+# a CAD file that a package of Debian brings along.
 # Meshes (.off), pictures (.svg) and numbers (.json) go to build/demo/.
 set -euo pipefail
 
@@ -14,8 +15,13 @@ echo "== Configuring build/"
 mkdir -p build
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release > build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
 
-echo "== Building mesh_patch"
-cmake --build build --target mesh_patch print_results_table -j "$(nproc)"
+targets=(mesh_patch print_results_table)
+# there only if Open CASCADE is
+if cmake --build build --target help | grep -qw mesh_cad; then
+  targets+=(mesh_cad)
+fi
+echo "== Building ${targets[*]}"
+cmake --build build --target "${targets[@]}" -j "$(nproc)"
 
 programs=build/examples/Parametric_surface_mesher
 out=build/demo
@@ -40,6 +46,12 @@ mesh uniform_curvature cap --max-edge 0.0320
 
 echo "== Drawing circumellipses in the domain of a coarse peak"
 "$programs/mesh_patch" peak --quiet --max-edge 0.15 --gamma 0.25 --uv-picture "$out/circumellipses.svg" --ellipses 70
+
+cad_file=/usr/share/opencascade/data/step/linkrods.step
+if [ -e "$cad_file" ] && [ -x "$programs/mesh_cad" ]; then
+  echo "== Meshing $cad_file"
+  "$programs/mesh_cad" "$cad_file" --out "$out/linkrods.off" --picture "$out/linkrods.svg" --json "$out/linkrods_cad.json"
+fi
 
 echo
 "$programs/print_results_table" "${results[@]}"

@@ -7,11 +7,13 @@ Usage: compare_cad_meshers.py MESH_CAD FILE...
 
 MESH_CAD is the program. Gmsh and Netgen are those of the Python interpreter (Debian: python3-gmsh, python3-netgen, for
 /usr/bin/python3); one that is missing is left out. Sizes are between diagonal/1000 and diagonal/20 for all; Gmsh has 20
-elements per turn, Netgen a grading of 0.3 and 2 elements per edge and curvature radius. mesh_cad runs twice: with its
-defaults, and with bounds of the deviation that bring it to about as many triangles as the others. Reading the file is not
-counted. Each run has a process of its own and 120 seconds.
+elements per turn, Netgen a grading of 0.3 and 2 elements per edge and curvature radius (its smallest size cannot be set
+from Python). mesh_cad runs twice: with its
+defaults, and with wider bounds of the deviation; the ratios are to the run with the more similar number of triangles. Reading
+the file is not counted. Netgen reads STEP files only: Gmsh converts others. Each run has a process of its own and 120 seconds.
 """
 import json
+import math
 import os
 import resource
 import subprocess
@@ -46,15 +48,29 @@ def run_gmsh(name, diagonal):
     return sum(len(t) for t in tags), seconds
 
 
+def step_file(name, folder):
+    if name.endswith((".step", ".stp")):
+        return name
+    import gmsh
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    gmsh.model.occ.importShapes(name)
+    gmsh.model.occ.synchronize()
+    result = os.path.join(folder, "shape.step")
+    gmsh.write(result)
+    gmsh.finalize()
+    return result
+
+
 def run_netgen(name, diagonal):
-    import netgen.occ as occ
+    import netgen.NgOCC as occ
     import netgen.meshing as meshing
-    geometry = occ.OCCGeometry(name)
-    parameters = meshing.MeshingParameters(maxh=diagonal / 20, minh=diagonal / 1000, grading=0.3,
-                                           segmentsperedge=2, curvaturesafety=2, perfstepsend=meshing.MeshingStep.MESHSURFACE,
-                                           optsteps2d=3)
+    with tempfile.TemporaryDirectory() as folder:
+        geometry = occ.LoadOCCGeometry(step_file(name, folder))
+    parameters = meshing.MeshingParameters(maxh=diagonal / 20, grading=0.3, segmentsperedge=2, curvaturesafety=2,
+                                           perfstepsend=meshing.MeshingStep.MESHSURFACE, optsteps2d=3)
     start = cpu()
-    mesh = geometry.GenerateMesh(parameters)
+    mesh = occ.GenerateMesh(geometry, parameters)
     seconds = cpu() - start
     return len(mesh.Elements2D()), seconds
 
@@ -88,6 +104,12 @@ def describe(result):
     return result if isinstance(result, str) else "%d, %.2f s, %.1fk/s" % (result[0], result[1], result[0] / result[1] / 1e3)
 
 
+def ratio(runs, other):
+    """Triangles per second of the run most similar to `other`, over those of `other`."""
+    run = min(runs, key=lambda r: abs(math.log(r[0] / other[0])))
+    return run[0] / run[1] * other[1] / other[0]
+
+
 def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
@@ -96,7 +118,7 @@ def main():
         print("result %d %.6f" % run(sys.argv[3], float(sys.argv[4])))
         return
     program, files = sys.argv[1], sys.argv[2:]
-    others = [mesher for mesher, module in (("gmsh", "gmsh"), ("netgen", "netgen.occ")) if has(module)]
+    others = [mesher for mesher, module in (("gmsh", "gmsh"), ("netgen", "netgen.NgOCC")) if has(module)]
     coarse = ["--gamma", "0.12", "--relative-distance", "0.002"]
     print("| model | mesh_cad | mesh_cad, coarser | " + " | ".join(others) + " | "
           + " | ".join("times " + mesher for mesher in others) + " |")
@@ -105,7 +127,7 @@ def main():
         triangles, seconds, diagonal = run_mesh_cad(program, name, [])
         coarser = run_mesh_cad(program, name, coarse)
         results = [in_process(mesher, name, diagonal) for mesher in others]
-        ratios = ["-" if isinstance(r, str) else "%.0f" % (coarser[0] / coarser[1] * r[1] / r[0]) for r in results]
+        ratios = ["-" if isinstance(r, str) else "%.0f" % ratio([(triangles, seconds), coarser], r) for r in results]
         print("| %s | %s | %s | %s | %s |" % (os.path.basename(name), describe((triangles, seconds)), describe(coarser[:2]),
                                           " | ".join(describe(r) for r in results), " | ".join(ratios)), flush=True)
 

@@ -20,7 +20,10 @@ in the domain. The shape is not changed.
 the model; faces outside of shells become one together. A face between two solids is in both of their shells.
 - Vertices and edges are trusted within their tolerances. The distances of curves in domains from their edges are
 measured; where they are larger than the tolerance says the edge is listed in `Open_cascade_model_3::gaps`.
-- Curves in domains that are missing, or farther off than 1e-4 of the diagonal (and ten times the tolerance), are made anew by projection.
+- Curves in domains that are missing, or farther off than 1e-4 of the diagonal (and ten times the tolerance), are made anew
+by projection.
+- Faces of spheres may get other parameters than those of the file: by a stereographic projection, where there is no seam or
+the boundary runs through a pole.
 - A face that cannot be built, or where the kernel throws an exception, is left out and listed with its reason. It does
 not matter for the others.
 

@@ -17,6 +17,7 @@ mesher and refused with a `CGAL::Parametric_surface_mesh_error` that names the p
 \cgalHasModel `CGAL::Parametric_torus_3<Kernel>`
 \cgalHasModel `CGAL::Bezier_surface_3<Kernel>`
 \cgalHasModel `CGAL::B_spline_surface_3<Kernel>`
+\cgalHasModel `CGAL::Open_cascade_surface_3`
 */
 class ParametricSurface_3
 {

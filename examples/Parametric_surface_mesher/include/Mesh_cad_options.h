@@ -50,6 +50,8 @@ const char* const conclusion =
   "  triangles, vertices, min_angle, mean_min_angle, mean_radius_ratio\n"
   "  below_10, below_10_at_corners  triangles with an angle below 10 degrees, and those of them\n"
   "                                 with that angle in a corner of a face that is as sharp\n"
+  "  tiny_edges, sliver_faces       edges shorter than 1/1000 of the diagonal; faces with\n"
+  "                                 4 pi area / perimeter^2 below 0.01\n"
   "  closed, shape_closed           whether the mesh, and the shape, has no border\n"
   "  distance                       largest distance measured from surfaces and edges to the mesh;\n"
   "  distance_over_diagonal         over the diagonal of the shape's box\n"

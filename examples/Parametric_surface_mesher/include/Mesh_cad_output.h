@@ -17,8 +17,10 @@
 
 #include <cstddef>
 #include <ostream>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace mesh_cad {
 
@@ -58,6 +60,15 @@ inline void write_picture(std::ostream& out, const Mesh_cad_options& options, co
   write_surface_picture(out, mesh.points, mesh.triangles, picture);
 }
 
+// A face that two shells share counts once.
+inline std::size_t number_of_meshed_faces(const Mesh_cad_result& result)
+{
+  std::set<std::size_t> faces(result.shape.shape_faces.begin(), result.shape.shape_faces.end());
+  for(const auto& face : result.left_out)
+    faces.erase(face.shape_face);
+  return faces.size();
+}
+
 inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
 {
   const auto& shape = result.shape;
@@ -69,7 +80,7 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
   return {{"diagonal", shape.diagonal},
           {"faces", shape.number_of_shape_faces},
           {"edges", shape.number_of_shape_edges},
-          {"meshed_faces", std::set<std::size_t>(shape.shape_faces.begin(), shape.shape_faces.end()).size() - result.report.left_out.size()},
+          {"meshed_faces", number_of_meshed_faces(result)},
           {"left_out", left_out},
           {"shape_closed", shape.is_shape_closed},
           {"largest_gap", shape.largest_gap},
@@ -79,10 +90,25 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
           {"reversed_faces", shape.number_of_reversed_faces}};
 }
 
+inline std::vector<std::size_t> faces_of_shape(const Mesh_cad_result& result, std::vector<std::size_t> faces_of_model)
+{
+  for(std::size_t& face : faces_of_model)
+    face = result.shape.shape_faces[face];
+  return faces_of_model;
+}
+
+inline std::vector<std::size_t> numbers_from_1(std::vector<std::size_t> numbers)
+{
+  for(std::size_t& number : numbers)
+    ++number;
+  return numbers;
+}
+
 inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
 {
   const auto& q = result.quality;
   const auto& m = result.measures;
+  const auto& s = result.report.seconds;
   nlohmann::ordered_json unmet = nlohmann::ordered_json::array();
   for(const mesh_patch::Unmet_count& count : mesh_patch::unmet_counts(result.report))
     unmet.push_back({{"criterion", count.criterion}, {"cause", count.cause}, {"triangles", count.triangles}});
@@ -101,11 +127,15 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"mean_radius_ratio", q.mean_radius_ratio},
           {"below_10", m.below_10},
           {"below_10_at_corners", m.below_10_at_corners},
+          {"tiny_edges", numbers_from_1(m.tiny_edges)},
+          {"sliver_faces", numbers_from_1(faces_of_shape(result, m.sliver_faces))},
           {"distance", m.distance},
           {"distance_over_diagonal", m.distance / result.shape.diagonal},
           {"unmet_by", unmet},
           {"seconds", {{"reading", result.reading_seconds}, {"model", result.model_seconds},
-                       {"meshing", result.meshing_seconds}, {"measuring", result.measuring_seconds}}}};
+                       {"meshing", result.meshing_seconds}, {"measuring", result.measuring_seconds}}},
+          {"meshing_phases", {{"division", s.division}, {"triangulation", s.triangulation}, {"refinement", s.refinement},
+                              {"improvement", s.improvement}, {"output", s.output}}}};
 }
 
 inline void write_json(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
@@ -163,8 +193,11 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
   print_shape(out, result);
   out << "  smallest angle " << q.min_angle << " degrees, its mean " << q.mean_min_angle << "; "
       << mesh_patch::plural(m.below_10, "triangle") << " below 10 degrees, " << m.below_10_at_corners
-      << " of them in corners as sharp\n"
-      << "  distance from the shape up to " << m.distance << ", 1/" << std::size_t(result.shape.diagonal / (std::max)(m.distance, 1e-9 * result.shape.diagonal))
+      << " of them in corners as sharp\n";
+  if(!m.tiny_edges.empty() || !m.sliver_faces.empty())
+    out << "  " << mesh_patch::plural(m.tiny_edges.size(), "tiny edge") << ", "
+        << mesh_patch::plural(m.sliver_faces.size(), "sliver face") << "\n";
+  out << "  distance from the shape up to " << m.distance << ", " << m.distance / result.shape.diagonal
       << " of its diagonal\n";
   for(const mesh_patch::Unmet_count& count : mesh_patch::unmet_counts(result.report))
     out << "  not met: " << count.criterion << " of " << mesh_patch::plural(count.triangles, "triangle") << ", because of the "

@@ -114,7 +114,10 @@ class Silence
   std::streambuf* m_buffer;
 
 public:
-  Silence() : m_buffer(std::cout.rdbuf(m_nowhere.rdbuf())) { Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); }
+  Silence() : m_buffer(std::cout.rdbuf(m_nowhere.rdbuf()))
+  {
+    Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); // for good
+  }
   ~Silence() { std::cout.rdbuf(m_buffer); }
   Silence(const Silence&) = delete;
   Silence& operator=(const Silence&) = delete;

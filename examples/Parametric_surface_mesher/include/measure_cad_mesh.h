@@ -39,6 +39,8 @@ struct Cad_mesh_measures
   double distance = 0; // largest, from sampled points of surfaces and edges to the mesh
   std::size_t below_10 = 0, below_10_at_corners = 0; // triangles with an angle below 10 degrees
   std::size_t border_edges = 0;
+  std::vector<std::size_t> tiny_edges;   // of the model: shorter than 1e-3 of the diagonal
+  std::vector<std::size_t> sliver_faces; // of the model: 4 pi area / perimeter^2 below 0.01
 };
 
 namespace mesh_cad {
@@ -142,6 +144,44 @@ inline std::set<std::pair<std::size_t, Kernel::Point_3>> sharp_corners(const Mod
   return result;
 }
 
+inline double length(const Kernel::Vector_3& v) { return std::sqrt(v.squared_length()); }
+
+// of an edge, by the chords of some points
+inline double length(const Model::Edge& edge)
+{
+  const int number_of_samples = 32;
+  double result = 0;
+  if(edge.curve)
+    for(int i = 0; i < number_of_samples; ++i)
+      result += length(edge.curve->point(double(i + 1) / number_of_samples) - edge.curve->point(double(i) / number_of_samples));
+  return result;
+}
+
+// Finds what makes small angles unavoidable.
+inline void measure_shape(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape, Cad_mesh_measures& result)
+{
+  const Model& model = shape.model;
+  std::vector<double> lengths, areas(model.faces().size()), perimeters(model.faces().size());
+  for(const auto& edge : model.edges())
+    lengths.push_back(length(edge));
+  for(const auto face : mesh.mesh.faces()) {
+    const auto p = corners(mesh, face).points;
+    areas[mesh.patch[face]] += 0.5 * length(CGAL::cross_product(p[1] - p[0], p[2] - p[0]));
+  }
+  std::set<std::size_t> tiny;
+  for(std::size_t f = 0; f < model.faces().size(); ++f) {
+    for(const auto& loop : model.faces()[f].loops)
+      for(const auto& use : loop) {
+        perimeters[f] += lengths[use.edge];
+        if(!model.edges()[use.edge].is_collapsed && lengths[use.edge] < 1e-3 * shape.diagonal)
+          tiny.insert(use.edge);
+      }
+    if(16 * std::atan(1.) * areas[f] < 0.01 * CGAL::square(perimeters[f]))
+      result.sliver_faces.push_back(f);
+  }
+  result.tiny_edges.assign(tiny.begin(), tiny.end());
+}
+
 inline Cad_mesh_measures measure(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape)
 {
   const double small_angle = 10; // degrees
@@ -160,6 +200,7 @@ inline Cad_mesh_measures measure(const Cad_mesh& mesh, const CGAL::Open_cascade_
     }
   }
   result.distance = std::sqrt(squared_distance);
+  measure_shape(mesh, shape, result);
   for(const auto h : mesh.mesh.halfedges())
     result.border_edges += mesh.mesh.is_border(h);
   return result;

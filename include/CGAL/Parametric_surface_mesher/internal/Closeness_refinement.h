@@ -3,6 +3,8 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CLOSENESS_REFINEMENT_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CLOSENESS_REFINEMENT_H
 
+#include <CGAL/Metric_tensor_2.h>
+#include <CGAL/Parametric_point_2.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Charted_surface_3.h>
@@ -18,13 +20,52 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
+
+// Evaluates the metric alone, each point of a face once.
+template <class Oracle>
+class Metric_evaluator
+{
+public:
+  typedef typename Oracle::Geom_traits Kernel;
+  typedef typename Kernel::Point_2 Point_2;
+  typedef typename Kernel::Point_3 Point_3;
+  typedef std::map<Point_2, Metric_tensor_2> Tensors;
+
+private:
+  const Oracle& m_oracle;
+  Tensors& m_tensors;
+
+public:
+  Metric_evaluator(const Oracle& oracle, Tensors& tensors) : m_oracle(oracle), m_tensors(tensors) {}
+
+  Evaluated_point<Kernel> operator()(const Point_2& uv, const Point_3& surface_point, double /* spacing */) const
+  {
+    const auto found = m_tensors.find(uv);
+    const Metric_tensor_2 tensor = found != m_tensors.end() ? found->second : m_tensors.emplace(uv, this->tensor(uv)).first->second;
+    return {Parametric_point_2<Kernel>(uv, surface_point, tensor), 0, false, false};
+  }
+
+private:
+  // A singular tensor would do for nothing here, and a round one is as good as any.
+  Metric_tensor_2 tensor(const Point_2& uv) const
+  {
+    const Metric_tensor_2 result = m_oracle.metric().tensor(m_oracle.surface().jet(uv.x(), uv.y()));
+    if(!std::isfinite(result.trace()))
+      throw_not_finite(m_oracle.surface(), uv);
+    return result.is_positive_definite() && result.determinant() > 1e-14 * result.trace() * result.trace()
+             ? result
+             : result + (result.trace() > 1e-90 ? 1e-6 * result.trace() : 1e-100) * Metric_tensor_2(1, 0, 1);
+  }
+};
 
 // Where a face is narrower than the pieces of its boundary are long, triangles across it are flat, and no point inside can
 // help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop.
@@ -47,10 +88,11 @@ class Closeness_refinement
   Division& m_division;
   const std::vector<Oracle>& m_oracles; // of the faces
   const Parametric_surface_mesh_criteria& m_criteria;
+  mutable std::vector<typename Metric_evaluator<Charted_oracle>::Tensors> m_tensors; // of the faces
 
 public:
   Closeness_refinement(Division& division, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria)
-    : m_division(division), m_oracles(oracles), m_criteria(criteria)
+    : m_division(division), m_oracles(oracles), m_criteria(criteria), m_tensors(oracles.size())
   {}
 
   // returns how many pieces were halved
@@ -78,7 +120,7 @@ private:
     const Surface surface(m_oracles[face].surface(), find_chart(m_oracles[face].surface(), loops));
     const Charted_oracle oracle(surface, m_oracles[face].metric(), m_oracles[face].singular_points());
     const Boundary_loops<Kernel> charted_loops = chart_loops(loops, surface.chart());
-    const Patch_evaluator<Charted_oracle> evaluator(oracle, m_criteria, box_of_loops(charted_loops));
+    const Metric_evaluator<Charted_oracle> evaluator(oracle, m_tensors[face]);
     Triangulation triangulation;
     Boundary_triangulator<Kernel> triangulate(triangulation, charted_loops);
     triangulate(evaluator);

@@ -10,6 +10,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Model_uses.h>
 #include <CGAL/Parametric_surface_mesher/internal/Pointed_apex.h>
+#include <CGAL/Parametric_surface_mesher/internal/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/name_face.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/divide_curve.h>
@@ -26,27 +27,6 @@
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
-
-// Lowers the maximum edge length, and the minimum with it.
-template <class Criteria>
-void limit_max_edge(double length, Criteria& criteria)
-{
-  if(!(length > 0) || length >= criteria.max_edge())
-    return;
-  criteria.set_max_edge(length);
-  criteria.set_min_edge((std::min)(criteria.min_edge(), length));
-}
-
-// The criteria with the sizes of a face of a model.
-template <class Criteria, class Face>
-Criteria criteria_of_face(const Criteria& criteria, const Face& face)
-{
-  Criteria result = criteria;
-  limit_max_edge(face.max_edge, result);
-  if(face.sizing_field)
-    result.set_sizing_field(face.sizing_field);
-  return result;
-}
 
 // The edges of a model, each divided once: its curve in space, or that on the first face that uses it, with the sizes of
 // all faces that do.

@@ -12,6 +12,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_mesher.h>
 #include <CGAL/Parametric_surface_mesher/internal/Synchronized_visitor.h>
+#include <CGAL/Parametric_surface_mesher/internal/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
 #include <CGAL/Parametric_surface_mesher/internal/describe.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>

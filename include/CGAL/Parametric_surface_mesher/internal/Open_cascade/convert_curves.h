@@ -14,11 +14,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
-#include <Geom2d_BSplineCurve.hxx>
-#include <GeomAdaptor_Surface.hxx>
-#include <Geom_TrimmedCurve.hxx>
 #include <ShapeConstruct_ProjectCurveOnSurface.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Circ.hxx>
