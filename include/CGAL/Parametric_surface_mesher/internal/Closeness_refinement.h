@@ -51,7 +51,7 @@ public:
   {
     const auto found = m_tensors.find(uv);
     const Metric_tensor_2 tensor = found != m_tensors.end() ? found->second : m_tensors.emplace(uv, this->tensor(uv)).first->second;
-    return {Parametric_point_2<Kernel>(uv, surface_point, tensor), 0, false, false};
+    return {{Parametric_point_2<Kernel>(uv, surface_point, tensor), Surface_jet_3<Kernel>(), false, false}, 0};
   }
 
 private:
