@@ -110,10 +110,18 @@ private:
     const Face_measures measures = face_measures(face, m_points.evaluate().oracle().metric());
     const int front = edge_on_front(face, measures);
     Candidate candidate;
-    if(front >= 0 && place(face, front, measures, candidate) && !is_too_close(candidate))
+    if((front >= 0 && place(face, front, measures, candidate) && !is_too_close(candidate))
+       || (place_at_circumcenter(face, measures, candidate) && !is_too_close(candidate)))
       insert(candidate);
     else
       face->set_state(Face_state::BLOCKED);
+  }
+
+  // Where an edge has no good place over it, so that the front goes on: next to an obtuse angle, or close to other edges.
+  bool place_at_circumcenter(Face_handle face, const Face_measures& measures, Candidate& candidate) const
+  {
+    typedef Point_placement<Kernel> Placement;
+    return m_points.locate(face, Placement::barycentric(face, Placement::circumcenter_weights(measures)), candidate);
   }
 
   // of several, that with the length closest to the spacing
@@ -207,10 +215,10 @@ private:
   }
 
   // to a vertex, or an edge of the boundary
-  bool is_too_close(const Candidate& candidate)
+  bool is_too_close(Candidate& candidate)
   {
     const auto& location = candidate.location;
-    double spacing = location.face->vertex(0)->spacing();
+    double spacing = m_points.spacing_limit(candidate);
     for(int i = 0; i < 3; ++i)
       spacing = (std::min)(spacing, location.face->vertex(i)->spacing());
     if(!m_points.is_far_enough(candidate, 0.36 * spacing * spacing))
