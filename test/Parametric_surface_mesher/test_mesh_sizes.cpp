@@ -67,6 +67,30 @@ public:
   }
 };
 
+TEST(Mesh_sizes, closeness_divides_the_sides_of_a_narrow_patch)
+{
+  const Sample flat = make_sample("flat");
+  const auto strip = sample_surfaces::Domain::rectangle(0, 10, 0, 0.3);
+  Mesh coarse, mesh;
+  const Report without = add_patch(flat.surface, strip, Criteria().set_max_edge(2), coarse);
+  const Report with = add_patch(flat.surface, strip, Criteria().set_max_edge(2).set_closeness(1.8), mesh);
+  EXPECT_EQ(without.number_of_edges_split_by_closeness, 0u);
+  EXPECT_LT(without.smallest_angle, 20);
+  EXPECT_GT(with.number_of_edges_split_by_closeness, 0u);
+  EXPECT_GE(with.smallest_angle, 25);
+  EXPECT_LT(mesh.number_of_faces(), 200u);
+}
+
+TEST(Mesh_sizes, closeness_keeps_the_minimum_edge)
+{
+  const Sample flat = make_sample("flat");
+  const auto strip = sample_surfaces::Domain::rectangle(0, 10, 0, 0.001);
+  Mesh mesh;
+  const Report report
+    = add_patch(flat.surface, strip, Criteria().set_max_edge(2).set_min_edge(0.1).set_closeness(1.8), mesh);
+  EXPECT_EQ(report.number_of_edges_split_by_closeness, 0u); // no division that is allowed would help
+}
+
 } // namespace
 
 TEST(Mesh_sizes, number_of_triangles)
