@@ -63,7 +63,7 @@ public:
 private:
   double m_max_edge = 0, m_min_edge = 0;
   double m_gamma = 0.05, m_angle = 30, m_distance = 0;
-  double m_size_factor = 0.28, m_closeness = 0;
+  double m_size_factor = 0.28, m_closeness = 0, m_growth = 0;
   std::size_t m_max_number_of_vertices = 20000000;
   Curve_deviation m_curve_deviation = Curve_deviation::HEIGHT_OVER_CHORD;
   Mesh_point_placement m_placement = Mesh_point_placement::FRONTAL;
@@ -121,6 +121,16 @@ public:
   {
     CGAL_precondition(c > 0);
     m_size_factor = c;
+    return *this;
+  }
+
+  /// by how much the spacing grows inside, as a share of the distance from where it is given, up to `max_edge()`. With 0 the
+  /// spacing inside is a mean of that on the boundary (paper, eq. 2), so that a fine boundary all around makes a fine mesh.
+  /// Values up to some 0.2 leave room for angles of 30 degrees. Default: 0. \pre `growth >= 0`
+  Parametric_surface_mesh_criteria& set_growth(double growth)
+  {
+    CGAL_precondition(growth >= 0);
+    m_growth = growth;
     return *this;
   }
 
@@ -208,6 +218,7 @@ public:
   double gamma() const { return m_gamma; }
   double angle() const { return m_angle; }
   double size_factor() const { return m_size_factor; }
+  double growth() const { return m_growth; }
   double distance() const { return m_distance; }
   double closeness() const { return m_closeness; }
   const Sizing_field& sizing_field() const { return m_sizing_field; }

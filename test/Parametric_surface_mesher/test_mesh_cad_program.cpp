@@ -78,7 +78,7 @@ TEST_F(Mesh_cad_program, helps)
   const Result result = run("--help");
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err, "");
-  for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--distance", "--relative-distance", "--angle", "--closeness",
+  for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--distance", "--relative-distance", "--angle", "--closeness", "--growth", "--threads",
                             "--face-size", "--edge-size", "--faces", "--unit", "--heal", "--out", "--picture", "--json", "--quiet",
                             ".vtu", ".msh", ".inp", ".step", ".iges", ".brep", "Exit status"})
     EXPECT_NE(result.out.find(option), std::string::npos) << option;
@@ -113,6 +113,24 @@ TEST_F(Mesh_cad_program, tells_the_face_of_each_triangle)
   std::size_t n = 0;
   elements >> n;
   EXPECT_EQ(n, json("box.brep --quiet")["triangles"]);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_F(Mesh_cad_program, threads_make_the_same_mesh)
+{
+  ASSERT_EQ(run("box.brep --quiet --out one.off").status, 0);
+  ASSERT_EQ(run("box.brep --quiet --threads 3 --out three.off").status, 0);
+  EXPECT_EQ(content(file("one.off")), content(file("three.off")));
+  EXPECT_EQ(run("box.brep --threads 0").status, 2);
+}
+#endif
+
+TEST_F(Mesh_cad_program, edges_grow_inside_faces)
+{
+  const auto triangles = [this](const std::string& options) {
+    return json("box.brep --quiet --max-edge 1 --edge-size 1:0.02,2:0.02,3:0.02,4:0.02 " + options)["triangles"].get<int>();
+  };
+  EXPECT_LT(triangles("--growth 0.2"), 0.7 * triangles(""));
 }
 
 TEST_F(Mesh_cad_program, numbers)

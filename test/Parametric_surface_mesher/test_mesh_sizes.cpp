@@ -134,6 +134,25 @@ TEST(Mesh_sizes, sizing_field)
   EXPECT_NEAR(0.9, sum / double(mesh.number_of_edges()), 0.2);
 }
 
+TEST(Mesh_sizes, growth)
+{
+  const Sample flat = make_sample("flat");
+  Domain domain = flat.domain;
+  for(Curve& side : domain.loops().front()) // fine all around
+    side.set_number_of_edges(100);
+  const Criteria criteria = Criteria().set_max_edge(0.2);
+  Mesh even, growing;
+  add_patch(flat.surface, domain, criteria, even);
+  const Report report = add_patch(flat.surface, domain, Criteria(criteria).set_growth(0.1), growing);
+  EXPECT_LT(growing.number_of_faces(), 0.2 * even.number_of_faces());
+  EXPECT_EQ(0u, report.unmet.size());
+  double longest = 0;
+  for(const auto e : growing.edges())
+    longest = (std::max)(longest, length(growing, e));
+  EXPECT_GT(longest, 0.04);
+  EXPECT_LT(longest, 0.4);
+}
+
 TEST(Mesh_sizes, minimum_edge)
 {
   // gamma asks for far less than the minimum edge

@@ -22,7 +22,8 @@ struct Mesh_cad_options
   std::string input, out, picture, json, unit = "MM";
   std::string face_list, face_sizes, edge_sizes;
   double max_edge = 0, min_edge = 0, distance = 0; // 0 if not given
-  double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8;
+  double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8, growth = 0;
+  unsigned int threads = 1;
   std::set<std::size_t> faces;                                 // from `face_list`; empty for all
   std::map<std::size_t, double> max_edge_of_face, max_edge_of_edge; // from the lists of sizes
   bool is_healing_wanted = false, is_quiet = false, is_help_wanted = false;
@@ -75,12 +76,14 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("relative-distance", number(o.relative_distance), "the same over the diagonal of the shape's box (0.0005)")
     ("angle", number(o.angle), "smallest angle in degrees, at least 0 and below 60 (30)")
     ("closeness", number(o.closeness), "longest piece of a boundary over the width of its face there (1.8)")
+    ("growth", number(o.growth), "growth of the edge length inside faces, as a share of the distance from their boundary (0)")
     ("face-size", text(o.face_sizes, "F:L,..."), "wanted edge lengths of single faces: a shorter one for face 3 by 3:0.5")
     ("edge-size", text(o.edge_sizes, "E:L,..."), "the same for edges of the shape");
   po::options_description input("Input", 92);
   input.add_options()
     ("faces", text(o.face_list, "LIST"), "mesh these faces only: 1,4,7-9")
     ("unit", text(o.unit, "UNIT"), "unit of length of the result: MM, CM, M, KM, INCH, FT ... (MM); a BREP file has none")
+    ("threads", po::value<unsigned int>(&o.threads)->value_name("N"), "number of threads that mesh faces (1)")
     ("heal", po::bool_switch(&o.is_healing_wanted), "let Open CASCADE repair the shape first (ShapeFix_Shape)");
   po::options_description output("Output", 92);
   output.add_options()
@@ -146,6 +149,14 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     mesh_patch::check_positive(given, option);
   if(!(o.angle >= 0 && o.angle < 60))
     throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
+  if(!(o.growth >= 0 && o.growth < 10))
+    throw Usage_error("--growth: the growth must be at least 0 and below 10");
+  if(o.threads == 0 || o.threads > 1024)
+    throw Usage_error("--threads: the number must be at least 1 and at most 1024");
+#ifndef CGAL_LINKED_WITH_TBB
+  if(o.threads > 1)
+    throw Usage_error("--threads: this program has been built without oneTBB and has but one thread");
+#endif
   if(o.max_edge > 0 && o.min_edge > o.max_edge)
     throw Usage_error("--min-edge must not be larger than --max-edge");
 }

@@ -22,6 +22,10 @@
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <cstddef>
 #include <ctime>
@@ -103,7 +107,7 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_optio
   CGAL::Parametric_surface_mesh_criteria criteria;
   const double max_edge = o.max_edge > 0 ? o.max_edge : (std::max)(diagonal / 20, o.min_edge);
   criteria.set_max_edge(max_edge).set_min_edge(o.min_edge > 0 ? o.min_edge : (std::min)(diagonal / 1000, max_edge));
-  criteria.set_gamma(o.gamma).set_angle(o.angle).set_closeness(o.closeness);
+  criteria.set_gamma(o.gamma).set_angle(o.angle).set_closeness(o.closeness).set_growth(o.growth);
   return criteria.set_distance(o.distance > 0 ? o.distance : o.relative_distance * diagonal);
 }
 
@@ -140,10 +144,17 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
                       + result.left_out.front().reason);
   }
   Progress_line progress(options.is_quiet);
-  result.report = CGAL::make_parametric_surface_mesh(
-    result.shape.model, result.criteria, result.mesh.mesh,
-    parameters::halfedge_uv_map(
-      result.mesh.uv, parameters::face_patch_id_map(result.mesh.patch, parameters::leaves_out_bad_faces(true).visitor(std::ref(progress)))));
+  const auto np = parameters::halfedge_uv_map(
+    result.mesh.uv, parameters::face_patch_id_map(result.mesh.patch, parameters::leaves_out_bad_faces(true).visitor(std::ref(progress))));
+#ifdef CGAL_LINKED_WITH_TBB
+  if(options.threads > 1) {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, options.threads);
+    result.report
+      = CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(result.shape.model, result.criteria, result.mesh.mesh, np);
+  }
+  else
+#endif
+    result.report = CGAL::make_parametric_surface_mesh(result.shape.model, result.criteria, result.mesh.mesh, np);
   for(const auto& face : result.report.left_out)
     result.left_out.push_back({result.shape.shape_faces[face.face], face.reason});
 }

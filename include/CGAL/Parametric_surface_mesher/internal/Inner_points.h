@@ -130,7 +130,8 @@ public:
 private:
   // Paper, eq. (2), the mean of the spacing of the neighbours weighted by their inverse distances, as an integral along
   // the star polygon: each neighbour also weighs as the polygon's edges beside it are long. Otherwise many close
-  // neighbours on a finely divided curve outweigh all others, and the mesh never coarsens away from it.
+  // neighbours on a finely divided curve outweigh all others, and the mesh never coarsens away from it. If it may grow, each
+  // neighbour gives what it has grown to on the way.
   double spacing_of_star(Vertex_handle vertex) const
   {
     const std::vector<Face_handle>& star = m_insertion.star();
@@ -139,8 +140,8 @@ private:
     for(std::size_t i = 0; i < star.size(); ++i) {
       const Vertex_handle neighbor = left_of(star[i], vertex), next = left_of(star[(i + 1) % star.size()], vertex);
       const double edge = distance(neighbor, next);
-      const double weight = (previous_edge + edge) / distance(vertex, neighbor);
-      sum += weight * neighbor->spacing();
+      const double length = distance(vertex, neighbor), weight = (previous_edge + edge) / length;
+      sum += weight * (neighbor->spacing() + m_evaluate.growth() * length);
       weights += weight;
       previous_edge = edge;
     }

@@ -54,7 +54,7 @@ private:
   const Oracle& m_oracle;
   Spacing_limit<Oracle> m_spacing_limit;
   Chord_jet<typename Oracle::Surface> m_chord_jet;
-  double m_gamma;
+  double m_gamma, m_growth;
 
 public:
   // `box`: of the patch, in the coordinates that it is meshed in
@@ -62,10 +62,14 @@ public:
     : m_oracle(oracle),
       // in a chart the lines of the domain count, and `box` is not theirs
       m_spacing_limit(oracle, criteria, oracle.surface().chart().is_identity() ? box : Bbox_2()),
-      m_chord_jet(oracle.surface(), box), m_gamma(criteria.gamma())
+      m_chord_jet(oracle.surface(), box), m_gamma(criteria.gamma()),
+      m_growth(criteria.growth())
   {}
 
   const Oracle& oracle() const { return m_oracle; }
+
+  // see `Parametric_surface_mesh_criteria::set_growth()`
+  double growth() const { return m_growth; }
 
   // `spacing`: of the neighbourhood; over such lengths the tensor is to tell distances
   Evaluated operator()(const Point_2& uv, double spacing) const { return with_spacing_limit(position(uv, spacing)); }
