@@ -3,6 +3,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_EDGE_FLIP_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_EDGE_FLIP_H
 
+#include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -36,13 +37,14 @@ public:
 
   std::array<Face_handle, 2> faces() const { return {m_face, m_across}; }
 
-  // Whether the quadrilateral is strictly convex in the domain, which is exact, and no inner vertex would be joined to a
+  // Whether the quadrilateral is strictly convex in the domain, which is exact; the triangles would not stand up from the
+  // surface, as those of points that are on a line in the domain but for rounding; and no inner vertex would be joined to a
   // second copy of a vertex on a seam, since such an edge would have to be split.
   bool is_valid() const
   {
     const auto orientation = m_triangulation.geom_traits().orientation_2_object();
     if(orientation(m_points[0], m_points[1], m_points[2]) != LEFT_TURN
-       || orientation(m_points[2], m_points[3], m_points[0]) != LEFT_TURN)
+       || orientation(m_points[2], m_points[3], m_points[0]) != LEFT_TURN || stands_up())
       return false;
     const Vertex_handle v = m_face->vertex(m_face->index(m_across)), w = m_across->vertex(m_across->index(m_face));
     return v->is_on_boundary() == w->is_on_boundary()
@@ -78,6 +80,26 @@ public:
   }
 
 private:
+  typedef typename Point::Surface_point_3 Point_3;
+
+  // in space, by an angle above some 78 degrees
+  bool stands_up() const
+  {
+    const auto before = normal(0, 1, 3) + normal(2, 3, 1);
+    for(const auto& after : {normal(0, 1, 2), normal(2, 3, 0)}) {
+      const double product = before * after;
+      if(!(product > 0 && product * product > 0.04 * before.squared_length() * after.squared_length()))
+        return true;
+    }
+    return false;
+  }
+
+  auto normal(int i, int j, int k) const
+  {
+    const Point_3& p = m_points[i].surface_point();
+    return cross_product(m_points[j].surface_point() - p, m_points[k].surface_point() - p);
+  }
+
   bool has_neighbor_with_index(Vertex_handle vertex, std::size_t index) const
   {
     auto neighbor = m_triangulation.incident_vertices(vertex);

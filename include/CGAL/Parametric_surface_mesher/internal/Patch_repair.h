@@ -116,12 +116,16 @@ private:
     }
   }
 
-  // how many fail a criterion
+  // How many fail a criterion; those that fail another one than the angle count twice.
   template <class Faces>
   std::size_t number_of_failures(const Faces& faces) const
   {
-    return std::count_if(faces.begin(), faces.end(),
-                         [this](Face_handle face) { return badness(face) != Mesh_2::NOT_BAD; });
+    std::size_t result = 0;
+    for(Face_handle face : faces) {
+      const Mesh_2::Face_badness found = badness(face);
+      result += std::size_t(found != Mesh_2::NOT_BAD) + std::size_t(found == Mesh_2::IMPERATIVELY_BAD);
+    }
+    return result;
   }
 
   bool flip_if_better(Face_handle face, int i, std::vector<Face_handle>& poor)
