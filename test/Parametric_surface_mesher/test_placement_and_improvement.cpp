@@ -1,0 +1,94 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How good triangles are with each placement, and what improvement adds.
+#include <gtest/gtest.h>
+
+#include <CGAL/Triangle_mesh_quality.h>
+
+#include <Sample_surfaces.h>
+#include <mesher_test_helpers.h>
+
+#include <string>
+
+namespace {
+
+CGAL::Triangle_mesh_quality quality(const Sample& sample, const Criteria& criteria)
+{
+  Mesh mesh;
+  const Report report = add_patch(sample.surface, sample.domain, criteria, mesh);
+  EXPECT_EQ(0u, report.unmet.size());
+  return CGAL::triangle_mesh_quality(mesh);
+}
+
+Criteria uniform(const Sample& sample, double number_of_triangles)
+{
+  return Criteria().set_max_edge(sample.edge_length(number_of_triangles));
+}
+
+Criteria unimproved(Criteria criteria) { return criteria.set_max_number_of_sweeps(0).set_improvement_angle(0); }
+
+class Sample_shapes : public ::testing::TestWithParam<std::string>
+{};
+
+} // namespace
+
+TEST_P(Sample_shapes, defaults)
+{
+  const Sample sample = make_sample(GetParam());
+  const CGAL::Triangle_mesh_quality q = quality(sample, uniform(sample, 5000));
+  const bool is_steep = GetParam() == "peak";
+  EXPECT_GT(q.min_angle, 35);
+  EXPECT_GT(q.mean_min_angle, is_steep ? 55 : 56);
+  EXPECT_GT(q.mean_radius_ratio, is_steep ? 0.98 : 0.99);
+}
+
+TEST_P(Sample_shapes, front_alone)
+{
+  const Sample sample = make_sample(GetParam());
+  const CGAL::Triangle_mesh_quality q = quality(sample, unimproved(uniform(sample, 5000)));
+  EXPECT_GT(q.min_angle, 30 - 1e-9);
+  EXPECT_GT(q.mean_radius_ratio, GetParam() == "peak" ? 0.95 : 0.97);
+}
+
+TEST_P(Sample_shapes, circumcenters_alone)
+{
+  const Sample sample = make_sample(GetParam());
+  const CGAL::Triangle_mesh_quality q
+    = quality(sample, unimproved(uniform(sample, 5000)).set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER));
+  EXPECT_GT(q.min_angle, 30 - 1e-9);
+  EXPECT_GT(q.mean_radius_ratio, 0.9);
+}
+
+TEST_P(Sample_shapes, off_centers_alone)
+{
+  const Sample sample = make_sample(GetParam());
+  const CGAL::Triangle_mesh_quality q
+    = quality(sample, unimproved(uniform(sample, 5000)).set_placement(CGAL::Mesh_point_placement::OFF_CENTER));
+  EXPECT_GT(q.min_angle, 30 - 1e-9);
+  EXPECT_GT(q.mean_radius_ratio, 0.9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, Sample_shapes, ::testing::ValuesIn(sample_names()),
+                         [](const auto& info) { return info.param; });
+
+TEST(Improvement, no_time)
+{
+  const Sample torus = make_sample("torus");
+  const CGAL::Triangle_mesh_quality none = quality(torus, uniform(torus, 5000).set_improvement_time(0)),
+                                    all = quality(torus, uniform(torus, 5000));
+  EXPECT_LT(none.mean_radius_ratio, all.mean_radius_ratio - 0.005);
+  EXPECT_LT(none.min_angle, 36);
+}
+
+TEST(Improvement, angle_that_is_aimed_at)
+{
+  const Sample cap = make_sample("cap");
+  double previous = 0;
+  for(double angle : {0., 36., 40.}) {
+    const CGAL::Triangle_mesh_quality q = quality(cap, uniform(cap, 20000).set_max_number_of_sweeps(0).set_improvement_angle(angle));
+    EXPECT_GE(q.min_angle, previous);
+    previous = q.min_angle;
+  }
+  EXPECT_GT(previous, 33);
+}
