@@ -212,19 +212,38 @@ private:
     const std::size_t step = (std::max)(std::size_t(1), triangles.size() / triangles_looked_at);
     for(std::size_t t = 0; t < triangles.size(); t += step) {
       const Point_3 c = CGAL::centroid(triangles[t]);
-      const gp_Pnt2d uv = surface->ValueOfUV(gp_Pnt(c.x(), c.y(), c.z()), 1e-7 * m_diagonal);
-      gp_Pnt p;
-      gp_Vec du, dv;
-      surface->Surface()->D1(uv.X(), uv.Y(), p, du, dv);
-      m_verdict.farthest_centroid
-        = (std::max)(m_verdict.farthest_centroid, p.Distance(gp_Pnt(c.x(), c.y(), c.z())) / m_diagonal);
-      const gp_Vec normal = du.Crossed(dv) * (face.Orientation() == TopAbs_REVERSED ? -1. : 1.);
-      const auto n = CGAL::normal(triangles[t][0], triangles[t][1], triangles[t][2]);
-      // as far as the normals of slivers mean anything
-      const double product = normal.X() * n.x() + normal.Y() * n.y() + normal.Z() * n.z(),
-                   size = normal.Magnitude() * std::sqrt(n.squared_length());
-      m_verdict.misoriented_triangles += m_numbers_of_shells[f] == 1 && product < -0.2 * size;
+      m_verdict.farthest_centroid = (std::max)(m_verdict.farthest_centroid, distance(c, *surface) / m_diagonal);
+      // The surface may overlap itself outside the face, and the nearest point of a centroid lie there: corners are on it.
+      m_verdict.misoriented_triangles += m_numbers_of_shells[f] == 1 && faces_away(triangles[t], c, face, *surface)
+                                         && faces_away(triangles[t], triangles[t][0], face, *surface)
+                                         && faces_away(triangles[t], triangles[t][1], face, *surface)
+                                         && faces_away(triangles[t], triangles[t][2], face, *surface);
     }
+  }
+
+  gp_Pnt2d nearest(const Point_3& p, ShapeAnalysis_Surface& surface) const
+  {
+    return surface.ValueOfUV(gp_Pnt(p.x(), p.y(), p.z()), 1e-7 * m_diagonal);
+  }
+
+  double distance(const Point_3& p, ShapeAnalysis_Surface& surface) const
+  {
+    const gp_Pnt2d uv = nearest(p, surface);
+    return surface.Surface()->Value(uv.X(), uv.Y()).Distance(gp_Pnt(p.x(), p.y(), p.z()));
+  }
+
+  // Whether a triangle faces away from its face at a point, as far as the normals of slivers mean anything.
+  bool faces_away(const Kernel::Triangle_3& triangle, const Point_3& at, const TopoDS_Face& face, ShapeAnalysis_Surface& surface) const
+  {
+    const gp_Pnt2d uv = nearest(at, surface);
+    gp_Pnt p;
+    gp_Vec du, dv;
+    surface.Surface()->D1(uv.X(), uv.Y(), p, du, dv);
+    const gp_Vec normal = du.Crossed(dv) * (face.Orientation() == TopAbs_REVERSED ? -1. : 1.);
+    const auto n = CGAL::normal(triangle[0], triangle[1], triangle[2]);
+    const double product = normal.X() * n.x() + normal.Y() * n.y() + normal.Z() * n.z(),
+                 size = normal.Magnitude() * std::sqrt(n.squared_length());
+    return product < -0.2 * size;
   }
 };
 
