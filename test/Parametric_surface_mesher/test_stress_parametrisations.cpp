@@ -258,7 +258,7 @@ void check_wild(const Wild_case& c, double size)
   expect_positive_orientation(m);
   expect_listed_where_turned_over(m, c.surface);
   expect_listed_where_far(m, c.surface, 0.05);
-  EXPECT_NEAR(1, m.area / area, 0.03);
+  EXPECT_NEAR(1, m.area / area, 0.02);
   const double number = integrals.number_of_triangles_by_lines(max_edge, m.report.min_edge / c.unit, 0.05);
   EXPECT_LE(m.triangles.size(), 4 * number + 2000);
   EXPECT_LE(m.report.unmet.size(), c.max_share_of_unmet * m.triangles.size() + 20);

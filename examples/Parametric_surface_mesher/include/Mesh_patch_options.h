@@ -157,6 +157,8 @@ inline void check_values(const po::variables_map& given, const Mesh_patch_option
     throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
   if(!(o.improvement_angle >= 0 && o.improvement_angle < 60))
     throw Usage_error("--improvement-angle: the angle must be at least 0 and below 60 degrees");
+  if(o.sweeps > 1000) // also what a negative number is read as
+    throw Usage_error("--sweeps: the number must be at least 0 and at most 1000");
   if(o.placement != "frontal" && o.placement != "off-center" && o.placement != "circumcenter")
     throw Usage_error("--placement: '" + o.placement + "' must be frontal, off-center or circumcenter");
   if(o.max_edge > 0 && o.min_edge > o.max_edge)
