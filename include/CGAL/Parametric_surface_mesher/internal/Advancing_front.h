@@ -3,6 +3,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_ADVANCING_FRONT_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_ADVANCING_FRONT_H
 
+#include <CGAL/Parametric_surface_mesher/internal/Domain_tiles.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Front_queue.h>
 #include <CGAL/Parametric_surface_mesher/internal/Inner_points.h>
@@ -45,13 +46,16 @@ class Advancing_front
   Triangulation& m_triangulation;
   Inner_points& m_points;
   Visitor& m_visitor;
+  const Domain_tiles m_tiles;
   Front_queue<Face_handle> m_queue;
   std::size_t m_max_number_of_vertices;
   bool m_is_stopped = false;
 
 public:
   Advancing_front(Triangulation& triangulation, Inner_points& points, std::size_t max_number_of_vertices, Visitor& visitor)
-    : m_triangulation(triangulation), m_points(points), m_visitor(visitor), m_max_number_of_vertices(max_number_of_vertices)
+    : m_triangulation(triangulation), m_points(points), m_visitor(visitor),
+      m_tiles(triangulation, points.evaluate().oracle().metric()), m_queue(m_tiles.size()),
+      m_max_number_of_vertices(max_number_of_vertices)
   {}
 
   void operator()()
@@ -99,10 +103,15 @@ private:
 
   void push_if_on_front(Face_handle face)
   {
-    if(face->state() != Face_state::ACTIVE || !(is_on_front(face, 0) || is_on_front(face, 1) || is_on_front(face, 2)))
+    if(face->state() != Face_state::ACTIVE)
       return;
-    m_queue.push(face, squared_size_ratio(face));
-    face->set_state(Face_state::QUEUED);
+    for(int i = 0; i < 3; ++i)
+      if(is_on_front(face, i)) {
+        const Point &p = face->vertex((i + 1) % 3)->point(), &q = face->vertex((i + 2) % 3)->point();
+        m_queue.push(face, squared_size_ratio(face), m_tiles(0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y())));
+        face->set_state(Face_state::QUEUED);
+        return;
+      }
   }
 
   void advance(Face_handle face)

@@ -14,8 +14,12 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The faces on the front, those with the largest circumradius over wanted size first: buckets of half octaves, first in
-// first out inside a bucket, so that the front advances evenly. An entry whose face has changed since is skipped.
+/*
+The faces on the front, tile by tile of the domain: what is made one after the other is near in space and in memory, at
+half the time of a front that advances everywhere at once. The tile that had an entry last comes next, so that the front
+goes on from what is finished. Inside a tile faces with much free space come first, by octaves of the squared circumradius
+over the wanted one, first in first out. An entry whose face has changed since is skipped.
+*/
 template <class Face_handle>
 class Front_queue
 {
@@ -32,26 +36,60 @@ class Front_queue
     std::size_t first = 0;
   };
 
-  static const int number_of_buckets = 48;
-  std::array<Bucket, number_of_buckets> m_buckets;
-  int m_top = -1; // no bucket above it holds an entry
+  // The circumcircle of a face of more than four times the wanted radius does not limit what goes there.
+  static const int highest_octave = 4;
+
+  struct Tile
+  {
+    std::array<Bucket, highest_octave + 1> buckets;
+    int top = -1; // no bucket above it holds an entry
+    bool is_waiting = false;
+  };
+
+  std::vector<Tile> m_tiles;
+  std::vector<std::size_t> m_waiting; // other tiles with entries
+  std::size_t m_current = 0;
   std::size_t m_size = 0;
 
 public:
+  explicit Front_queue(std::size_t number_of_tiles) : m_tiles(number_of_tiles) {}
+
   // `squared_ratio`: of the circumradius to the wanted one
-  void push(Face_handle face, double squared_ratio)
+  void push(Face_handle face, double squared_ratio, std::size_t tile_number)
   {
-    const int octave = squared_ratio < 1e12 ? std::ilogb((std::max)(squared_ratio, 1.)) : number_of_buckets - 1;
-    m_buckets[octave].entries.push_back({face, face->stamp()});
-    m_top = (std::max)(m_top, octave);
+    Tile& tile = m_tiles[tile_number];
+    const int octave = squared_ratio < 1 << highest_octave ? std::ilogb((std::max)(squared_ratio, 1.)) : highest_octave;
+    tile.buckets[octave].entries.push_back({face, face->stamp()});
+    tile.top = (std::max)(tile.top, octave);
     ++m_size;
+    if(tile_number != m_current && !tile.is_waiting) {
+      tile.is_waiting = true;
+      m_waiting.push_back(tile_number);
+    }
   }
 
   // the next face, or a default constructed handle if there is none
   Face_handle pop()
   {
-    for(; m_top >= 0; --m_top) {
-      Bucket& bucket = m_buckets[m_top];
+    for(;;) {
+      const Face_handle face = pop(m_tiles[m_current]);
+      if(face != Face_handle() || m_waiting.empty())
+        return face;
+      m_tiles[m_current] = Tile(); // gives its memory back
+      m_current = m_waiting.back();
+      m_waiting.pop_back();
+      m_tiles[m_current].is_waiting = false;
+    }
+  }
+
+  // the number of entries, an upper bound of the number of faces waiting
+  std::size_t size() const { return m_size; }
+
+private:
+  Face_handle pop(Tile& tile)
+  {
+    for(; tile.top >= 0; --tile.top) {
+      Bucket& bucket = tile.buckets[tile.top];
       while(bucket.first < bucket.entries.size()) {
         const Entry entry = bucket.entries[bucket.first++];
         --m_size;
@@ -63,9 +101,6 @@ public:
     }
     return Face_handle();
   }
-
-  // the number of entries, an upper bound of the number of faces waiting
-  std::size_t size() const { return m_size; }
 };
 
 } // namespace internal
