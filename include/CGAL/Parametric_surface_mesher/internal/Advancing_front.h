@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -48,6 +50,7 @@ class Advancing_front
   Visitor& m_visitor;
   const Domain_tiles m_tiles;
   Front_queue<Face_handle> m_queue;
+  std::vector<double> m_ratios; // by face of the newest star
   std::size_t m_max_number_of_vertices;
   bool m_is_stopped = false;
 
@@ -62,9 +65,10 @@ public:
   {
     for(Face_handle face : m_triangulation.finite_face_handles())
       if(face->is_in_domain() && !is_collapsed(face))
-        examine(face);
+        set_state(face, squared_size_ratio(face));
     for(Face_handle face : m_triangulation.finite_face_handles())
-      push_if_on_front(face);
+      if(face->state() == Face_state::ACTIVE)
+        push_if_on_front(face, squared_size_ratio(face));
     for(std::size_t n = 1; !m_is_stopped && m_triangulation.number_of_vertices() < m_max_number_of_vertices; ++n) {
       const Face_handle face = m_queue.pop();
       if(face == Face_handle())
@@ -84,16 +88,21 @@ private:
     m_is_stopped = !m_visitor.go_further();
   }
 
-  void examine(Face_handle face)
+  static void set_state(Face_handle face, double squared_ratio)
   {
-    face->set_state(squared_size_ratio(face) < squared_done_ratio ? Face_state::GOOD : Face_state::ACTIVE);
+    face->set_state(squared_ratio < squared_done_ratio ? Face_state::GOOD : Face_state::ACTIVE);
   }
 
   // of the circumradius to that of the equilateral triangle with the mean spacing of the corners
-  double squared_size_ratio(Face_handle face) const
+  static double squared_size_ratio(Face_handle face, const std::array<double, 3>& squared_lengths)
   {
     const double sum = face->vertex(0)->spacing() + face->vertex(1)->spacing() + face->vertex(2)->spacing();
-    return 27 * squared_circumradius(squared_lengths(face, m_points.evaluate().oracle().metric())) / (sum * sum);
+    return 27 * squared_circumradius(squared_lengths) / (sum * sum);
+  }
+
+  double squared_size_ratio(Face_handle face) const
+  {
+    return squared_size_ratio(face, squared_lengths(face, m_points.evaluate().oracle().metric()));
   }
 
   static bool is_on_front(Face_handle face, int i)
@@ -101,14 +110,14 @@ private:
     return face->is_constrained(i) || face->neighbor(i)->state() == Face_state::GOOD;
   }
 
-  void push_if_on_front(Face_handle face)
+  void push_if_on_front(Face_handle face, double squared_ratio)
   {
     if(face->state() != Face_state::ACTIVE)
       return;
     for(int i = 0; i < 3; ++i)
       if(is_on_front(face, i)) {
         const Point &p = face->vertex((i + 1) % 3)->point(), &q = face->vertex((i + 2) % 3)->point();
-        m_queue.push(face, squared_size_ratio(face), m_tiles(0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y())));
+        m_queue.push(face, squared_ratio, m_tiles(0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y())));
         face->set_state(Face_state::QUEUED);
         return;
       }
@@ -244,13 +253,18 @@ private:
 
   void insert(Candidate& candidate)
   {
-    const Vertex_handle vertex = m_points.insert(candidate);
-    for(Face_handle face : m_points.star())
-      examine(face);
-    for(Face_handle face : m_points.star()) {
-      push_if_on_front(face);
-      if(face->state() == Face_state::GOOD)
-        push_if_on_front(face->neighbor(face->index(vertex)));
+    m_points.insert(candidate);
+    const auto& star = m_points.star();
+    m_ratios.clear();
+    for(std::size_t i = 0; i < star.size(); ++i) {
+      m_ratios.push_back(squared_size_ratio(star[i], m_points.squared_lengths(i)));
+      set_state(star[i], m_ratios.back());
+    }
+    for(std::size_t i = 0; i < star.size(); ++i) {
+      push_if_on_front(star[i], m_ratios[i]);
+      const Face_handle across = star[i]->neighbor(0);
+      if(star[i]->state() == Face_state::GOOD && across->state() == Face_state::ACTIVE)
+        push_if_on_front(across, squared_size_ratio(across));
     }
   }
 };

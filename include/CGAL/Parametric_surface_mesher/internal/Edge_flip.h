@@ -122,8 +122,11 @@ private:
 
   void touch()
   {
-    m_face->touch();
-    m_across->touch();
+    for(Face_handle face : {m_face, m_across}) {
+      face->touch();
+      for(int i = 0; i < 3; ++i)
+        face->vertex(i)->set_settled(false);
+    }
   }
 };
 

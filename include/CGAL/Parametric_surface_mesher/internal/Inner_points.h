@@ -9,6 +9,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -44,6 +45,8 @@ private:
   const Evaluator& m_evaluate;
   Vertex_insertion<Triangulation> m_insertion;
   Star_of_point<Triangulation> m_star;
+  // of the vertex inserted last: by face of its star, from it to vertex 1, and from there to vertex 2
+  std::vector<double> m_squared_spokes, m_squared_rims;
   std::size_t m_number_of_replaced_tensors = 0;
 
 public:
@@ -118,39 +121,50 @@ public:
                                    : m_insertion.insert_in_edge(candidate.position.point, candidate.location.face,
                                                                 candidate.location.index);
     m_number_of_replaced_tensors += candidate.position.is_tensor_replaced;
-    vertex->set_spacing((std::min)(spacing_of_star(vertex), spacing_limit(candidate)));
+    measure_star(vertex->point());
+    vertex->set_spacing((std::min)(spacing_of_star(), spacing_limit(candidate)));
     return vertex;
   }
 
-  // the faces around the vertex inserted last
+  // the faces around the vertex inserted last, counterclockwise; it is vertex 0 of each
   const std::vector<Face_handle>& star() const { return m_insertion.star(); }
+
+  // of face `i` of the star
+  std::array<double, 3> squared_lengths(std::size_t i) const
+  {
+    return {m_squared_rims[i], m_squared_spokes[i + 1 < m_squared_spokes.size() ? i + 1 : 0], m_squared_spokes[i]};
+  }
 
   double squared_length(const Point& p, const Point& q) const { return m_evaluate.oracle().metric().squared_length(p, q); }
 
 private:
+  void measure_star(const Point& p)
+  {
+    m_squared_spokes.clear();
+    m_squared_rims.clear();
+    for(Face_handle face : star()) {
+      m_squared_spokes.push_back(squared_length(p, face->vertex(1)->point()));
+      m_squared_rims.push_back(squared_length(face->vertex(1)->point(), face->vertex(2)->point()));
+    }
+  }
+
   // Paper, eq. (2), the mean of the spacing of the neighbours weighted by their inverse distances, as an integral along
   // the star polygon: each neighbour also weighs as the polygon's edges beside it are long. Otherwise many close
   // neighbours on a finely divided curve outweigh all others, and the mesh never coarsens away from it. If it may grow, each
   // neighbour gives what it has grown to on the way.
-  double spacing_of_star(Vertex_handle vertex) const
+  double spacing_of_star() const
   {
-    const std::vector<Face_handle>& star = m_insertion.star();
     double sum = 0, weights = 0;
-    double previous_edge = distance(left_of(star.back(), vertex), left_of(star.front(), vertex));
-    for(std::size_t i = 0; i < star.size(); ++i) {
-      const Vertex_handle neighbor = left_of(star[i], vertex), next = left_of(star[(i + 1) % star.size()], vertex);
-      const double edge = distance(neighbor, next);
-      const double length = distance(vertex, neighbor), weight = (previous_edge + edge) / length;
-      sum += weight * (neighbor->spacing() + m_evaluate.growth() * length);
+    double previous_rim = std::sqrt(m_squared_rims.back());
+    for(std::size_t i = 0; i < star().size(); ++i) {
+      const double spoke = std::sqrt(m_squared_spokes[i]), rim = std::sqrt(m_squared_rims[i]);
+      const double weight = (previous_rim + rim) / spoke;
+      sum += weight * (star()[i]->vertex(1)->spacing() + m_evaluate.growth() * spoke);
       weights += weight;
-      previous_edge = edge;
+      previous_rim = rim;
     }
     return sum / weights;
   }
-
-  static Vertex_handle left_of(Face_handle face, Vertex_handle vertex) { return face->vertex((face->index(vertex) + 1) % 3); }
-
-  double distance(Vertex_handle v, Vertex_handle w) const { return std::sqrt(squared_length(v->point(), w->point())); }
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_chart_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Triangle_twins.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,16 +61,16 @@ public:
   void operator()(const Refinement& refinement)
   {
     append_vertices();
-    for(Face_handle face : m_triangulation.finite_face_handles()) {
+    for_each_face_with_lookahead(m_triangulation, [&](Face_handle face) {
       if(!face->is_in_domain())
-        continue;
+        return;
       if(is_collapsed(face)) {
         ++m_report.number_of_collapsed_faces;
-        continue;
+        return;
       }
       note(face, refinement);
       append(face);
-    }
+    });
     append_twins();
     m_report.smallest_angle = (std::min)(m_report.smallest_angle, degrees(m_squared_sine));
     m_report.smallest_angle_off_boundary

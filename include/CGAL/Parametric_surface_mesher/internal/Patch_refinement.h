@@ -13,6 +13,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Landing.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Point_placement.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,9 +115,10 @@ public:
 private:
   void refine_all()
   {
-    for(Face_handle face : m_triangulation.finite_face_handles())
+    for_each_face_with_lookahead(m_triangulation, [this](Face_handle face) {
       if(face->is_in_domain())
         examine(face);
+    });
     for(std::size_t n = 1; !m_is_stopped; ++n) {
       const Face_handle face = m_queue.pop();
       if(face == Face_handle())
@@ -304,10 +306,10 @@ private:
 
   void insert(Candidate& candidate)
   {
-    const Vertex_handle vertex = m_points.insert(candidate);
+    m_points.insert(candidate);
     for(Face_handle face : m_points.star()) {
       examine(face);
-      const Face_handle across = face->neighbor(face->index(vertex));
+      const Face_handle across = face->neighbor(0);
       if(across->state() == Face_state::BLOCKED)
         examine(across);
     }

@@ -8,6 +8,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -51,9 +52,10 @@ public:
   std::size_t operator()()
   {
     std::size_t number_of_moves = 0;
-    for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
-      if(!vertex->is_on_boundary())
+    for_each_vertex_with_lookahead(m_triangulation, [&](Vertex_handle vertex) {
+      if(!vertex->is_on_boundary() && !vertex->is_settled())
         number_of_moves += smooth(vertex);
+    });
     for(Face_handle face : m_triangulation.finite_face_handles())
       if(face->is_in_domain() && face->state() == Face_state::UNKNOWN)
         flip_obtuse(face);
@@ -64,6 +66,13 @@ private:
   bool smooth(Vertex_handle vertex)
   {
     m_star.collect(vertex);
+    const bool is_moved = move_if_better(vertex);
+    vertex->set_settled(!is_moved);
+    return is_moved;
+  }
+
+  bool move_if_better(Vertex_handle vertex)
+  {
     const Star_quality before = m_star.quality(vertex->point());
     if(before.mean_ratio > quality_of_perfect_star)
       return false;
@@ -71,21 +80,24 @@ private:
     if(!m_star.is_around(target))
       return false;
     const Point point = m_evaluate.position(target, vertex->spacing()).point;
-    if(!m_star.quality(point).is_better_than(before) || !is_allowed(point, vertex->point()))
+    const Star_shape after = m_star.shape(point);
+    if(!after.quality.is_better_than(before) || !is_allowed(after, vertex->point())
+       || m_star.is_inverted(point, m_evaluate.oracle()))
       return false;
     m_star.move_to(point);
     return true;
   }
 
-  // no triangle too large, and no edge too short, or more so than now; and no triangle on the wrong side
-  bool is_allowed(const Point& point, const Point& old_point) const
+  // no triangle too large, and no edge too short, or more so than now
+  bool is_allowed(const Star_shape& after, const Point& old_point) const
   {
-    if(m_star.squared_size(point) > m_squared_size_factor && m_star.squared_size(point) > m_star.squared_size(old_point))
-      return false;
-    const double squared_distance = m_star.squared_distance_to_ring(point);
-    if(squared_distance < m_squared_min_edge && squared_distance < m_star.squared_distance_to_ring(old_point))
-      return false;
-    return !m_star.is_inverted(point, m_evaluate.oracle());
+    const bool is_too_large = after.squared_size > m_squared_size_factor,
+               is_too_close = after.squared_distance < m_squared_min_edge;
+    if(!is_too_large && !is_too_close)
+      return true;
+    const Star_shape before = m_star.shape(old_point);
+    return (!is_too_large || after.squared_size <= before.squared_size)
+           && (!is_too_close || after.squared_distance >= before.squared_distance);
   }
 
   // Flips the edge opposite to an obtuse angle, if the two triangles become better. Of two opposite angles with a sum above

@@ -25,7 +25,7 @@ class Patch_vertex_base_2
 {
   double m_spacing = 0;
   std::size_t m_index = 0;
-  bool m_is_on_boundary = false;
+  bool m_is_on_boundary = false, m_is_settled = false;
 
 public:
   using Base::Base;
@@ -42,6 +42,10 @@ public:
   void set_index(std::size_t index) { m_index = index; }
   bool is_on_boundary() const { return m_is_on_boundary; }
   void set_on_boundary(bool b) { m_is_on_boundary = b; }
+
+  // Whether smoothing has nothing to do here as long as the star stays.
+  bool is_settled() const { return m_is_settled; }
+  void set_settled(bool b) { m_is_settled = b; }
 };
 
 // What the refinement found when it last looked at a face.
@@ -55,7 +59,7 @@ enum class Face_state : std::uint8_t
 };
 
 template <class Traits, class Base = Constrained_triangulation_face_base_2<Traits>>
-class Patch_face_base_2
+class alignas(64) Patch_face_base_2
   : public Base
 {
   std::uint32_t m_stamp = 0, m_number = 0;

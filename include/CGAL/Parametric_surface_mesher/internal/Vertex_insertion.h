@@ -15,7 +15,8 @@ namespace internal {
 
 // Insertion of a vertex inside the domain: the face or edge that holds it is split, then the edges opposite to it are
 // flipped while the point lies in the circumellipse of the triangle across. Each flip raises the degree of the new vertex,
-// so this ends whatever the metric does.
+// so this ends whatever the metric does. The new vertex is vertex 0 of all its faces: nobody has to look for it, which the
+// general functions of the data structure do at each step.
 template <class Triangulation>
 class Vertex_insertion
 {
@@ -32,69 +33,116 @@ public:
 
   Vertex_handle insert_in_face(const Point& p, Face_handle face)
   {
-    const Vertex_handle vertex = m_triangulation.tds().insert_in_face(face);
-    return restore(vertex, p);
-  }
-
-  // \pre edge `i` of `face` is not constrained
-  Vertex_handle insert_in_edge(const Point& p, Face_handle face, int i)
-  {
-    CGAL_precondition(!face->is_constrained(i));
-    const Vertex_handle vertex = m_triangulation.tds().insert_in_edge(face, i);
-    return restore(vertex, p);
-  }
-
-  // the faces around the vertex inserted last
-  const std::vector<Face_handle>& star() const { return m_star; }
-
-private:
-  Vertex_handle restore(Vertex_handle vertex, const Point& p)
-  {
-    vertex->set_point(p);
-    collect_star(vertex);
-    for(Face_handle face : m_star) {
-      const int i = face->index(vertex);
-      const bool is_constrained = face->neighbor(i)->is_constrained(m_triangulation.mirror_index(face, i));
-      face->set_constraints(false, false, false);
-      face->set_constraint(i, is_constrained);
-    }
-    m_stack = m_star;
-    while(!m_stack.empty()) {
-      const Face_handle face = m_stack.back();
-      m_stack.pop_back();
-      flip_if_not_delaunay(face, vertex);
-    }
-    collect_star(vertex);
-    for(Face_handle face : m_star) {
-      face->set_in_domain(true);
-      face->touch();
-    }
+    const Vertex_handle vertex = split(face, p);
+    m_stack = {face, face->neighbor(1), face->neighbor(2)};
+    restore(vertex);
     return vertex;
   }
 
-  void flip_if_not_delaunay(Face_handle face, Vertex_handle vertex)
+  // \pre edge `i` of `face` is not constrained, and `p` sees the four other edges of its two faces from inside
+  Vertex_handle insert_in_edge(const Point& p, Face_handle face, int i)
   {
-    const int i = face->index(vertex);
-    if(face->is_constrained(i))
-      return;
+    CGAL_precondition(!face->is_constrained(i));
     const Face_handle across = face->neighbor(i);
-    if(m_triangulation.geom_traits().side_of_oriented_circle_2_object()(
-         across->vertex(0)->point(), across->vertex(1)->point(), across->vertex(2)->point(), vertex->point())
-       != ON_POSITIVE_SIDE)
-      return;
-    m_triangulation.flip(face, i);
-    m_stack.push_back(face);
-    m_stack.push_back(across);
+    const Vertex_handle vertex = split(face, p);
+    for(Face_handle side : {face, face->neighbor(1), face->neighbor(2)}) {
+      m_stack.push_back(side);
+      if(side->neighbor(0) == across) {
+        flip(side);
+        m_stack.push_back(across);
+      }
+    }
+    restore(vertex);
+    return vertex;
   }
 
-  void collect_star(Vertex_handle vertex)
+  // the faces around the vertex inserted last, counterclockwise; it is vertex 0 of each
+  const std::vector<Face_handle>& star() const { return m_star; }
+
+private:
+  // `face` becomes the one of the three whose edge opposite to the new vertex is its old edge 0
+  Vertex_handle split(Face_handle face, const Point& p)
+  {
+    auto& tds = m_triangulation.tds();
+    const Vertex_handle vertex = tds.create_vertex(), a = face->vertex(0), b = face->vertex(1), c = face->vertex(2);
+    vertex->set_point(p);
+    const Face_handle over_b = tds.create_face(vertex, c, a), over_c = tds.create_face(vertex, a, b);
+    take_edge(over_b, face, 1);
+    take_edge(over_c, face, 2);
+    over_b->set_neighbors(over_b->neighbor(0), over_c, face);
+    over_c->set_neighbors(over_c->neighbor(0), face, over_b);
+    face->set_vertex(0, vertex);
+    face->set_neighbors(face->neighbor(0), over_b, over_c);
+    face->set_constraints(face->is_constrained(0), false, false);
+    over_b->set_in_domain(true);
+    over_c->set_in_domain(true);
+    a->set_face(over_b);
+    vertex->set_face(face);
+    return vertex;
+  }
+
+  // what is across edge `i` of `from` comes across edge 0 of `face`
+  static void take_edge(Face_handle face, Face_handle from, int i)
+  {
+    const Face_handle across = from->neighbor(i);
+    face->set_neighbor(0, across);
+    across->set_neighbor(across->index(from), face);
+    face->set_constraints(from->is_constrained(i), false, false);
+  }
+
+  void restore(Vertex_handle vertex)
+  {
+    while(!m_stack.empty()) {
+      const Face_handle face = m_stack.back();
+      m_stack.pop_back();
+      if(face->is_constrained(0) || is_delaunay(face, vertex->point()))
+        continue;
+      const Face_handle across = face->neighbor(0);
+      flip(face);
+      m_stack.push_back(face);
+      m_stack.push_back(across);
+    }
+    collect_star(vertex->face());
+    for(Face_handle face : m_star)
+      face->touch();
+  }
+
+  bool is_delaunay(Face_handle face, const Point& p) const
+  {
+    const Face_handle across = face->neighbor(0);
+    return m_triangulation.geom_traits().side_of_oriented_circle_2_object()(
+             across->vertex(0)->point(), across->vertex(1)->point(), across->vertex(2)->point(), p)
+           != ON_POSITIVE_SIDE;
+  }
+
+  // The edge from `a` to `b`, opposite to the new vertex, gives way to one from the new vertex to the corner `c` across it:
+  // `face` keeps `a`, and the face across becomes that with `b`.
+  static void flip(Face_handle face)
+  {
+    const Face_handle across = face->neighbor(0), behind_b = face->neighbor(1);
+    const Vertex_handle vertex = face->vertex(0), a = face->vertex(1), b = face->vertex(2);
+    const int i = across->index(face), at_b = Triangulation::ccw(i), at_a = Triangulation::cw(i);
+    const Vertex_handle c = across->vertex(i);
+    const Face_handle over_bc = across->neighbor(at_a);
+    const bool is_bc_constrained = across->is_constrained(at_a);
+    take_edge(face, across, at_b);
+    face->set_vertex(2, c);
+    face->set_neighbor(1, across);
+    across->set_vertices(vertex, c, b);
+    across->set_neighbors(over_bc, behind_b, face);
+    across->set_constraints(is_bc_constrained, false, false);
+    behind_b->set_neighbor(2, across);
+    a->set_face(face);
+    b->set_face(across);
+  }
+
+  void collect_star(Face_handle first)
   {
     m_star.clear();
-    const Face_handle first = vertex->face();
     Face_handle face = first;
     do {
       m_star.push_back(face);
-      face = face->neighbor((face->index(vertex) + 1) % 3);
+      face = face->neighbor(1);
     } while(face != first);
   }
 };

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -27,6 +28,14 @@ struct Star_quality
     const double good = 0.413;
     return squared_sine > other.squared_sine || (squared_sine > good && mean_ratio > other.mean_ratio);
   }
+};
+
+// What a star would be like with its centre elsewhere.
+struct Star_shape
+{
+  Star_quality quality;
+  double squared_size = 0;     // the largest squared circumradius by the squared sum of the spacings
+  double squared_distance = 0; // to the nearest vertex of the ring
 };
 
 // 48 area^2 / (sum of the squared lengths)^2: 1 for an equilateral triangle
@@ -107,14 +116,19 @@ public:
     return result;
   }
 
-  // The largest squared circumradius by the squared sum of the spacings.
-  double squared_size(const Point& center) const
+  Star_shape shape(const Point& center) const
   {
-    double result = 0;
+    Star_shape result;
+    result.squared_distance = std::numeric_limits<double>::infinity();
     for_each_triangle(center, [&](std::size_t k, const std::array<double, 3>& lengths) {
+      const Face_measures measures = face_measures(lengths);
       const double sum = m_center->spacing() + m_ring[k]->spacing() + ring_vertex(k + 1)->spacing();
-      result = (std::max)(result, squared_circumradius(lengths) / (sum * sum));
+      result.quality.squared_sine = (std::min)(result.quality.squared_sine, measures.squared_smallest_sine);
+      result.quality.mean_ratio += squared_mean_ratio(lengths);
+      result.squared_size = (std::max)(result.squared_size, measures.squared_circumradius / (sum * sum));
+      result.squared_distance = (std::min)(result.squared_distance, lengths[1]);
     });
+    result.quality.mean_ratio /= double(m_ring.size());
     return result;
   }
 
@@ -165,6 +179,8 @@ public:
     m_center->set_point(point);
     for(Face_handle face : m_faces)
       face->touch();
+    for(Vertex_handle vertex : m_ring)
+      vertex->set_settled(false);
   }
 
 private:
