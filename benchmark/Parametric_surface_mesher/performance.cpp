@@ -19,6 +19,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <stdexcept>
@@ -89,7 +90,8 @@ Sample_mesher parametric_mesher(const Sample& sample, const Settings& settings)
   return {"", [&](double edge_length, Sample_mesh& mesh) {
             Report report;
             Mesher_run run = run_of([&] {
-              report = CGAL::make_parametric_surface_mesh(sample.surface, sample.domain, criteria_for(edge_length, settings), mesh);
+              report = CGAL::make_parametric_surface_mesh(sample.surface, sample.domain, criteria_for(edge_length, settings),
+                                                          mesh);
             });
             run.report = report;
             return run;
@@ -169,11 +171,19 @@ Result measure(const Sample& sample, const Sample_mesher& mesher, double edge_le
   return in_child_process([&] {
     Result result = Result();
     measure_mesh(mesher, edge_length, result);
-    const std::vector<Point_2> points = settings.inserts_domain_points ? domain_points(sample, size, settings)
-                                                                      : bare_insertion::random_points(result.quality.number_of_faces);
+    const std::vector<Point_2> points
+      = settings.inserts_domain_points ? domain_points(sample, size, settings)
+                                       : bare_insertion::random_points(result.quality.number_of_faces);
     measure_times(mesher, edge_length, points, settings.repeat, result);
     return result;
   });
+}
+
+void check_same_surface(const Row& row, const Result& result)
+{
+  if(std::abs(row.result.quality.area / result.quality.area - 1) > 0.05)
+    throw std::runtime_error(row.peer + " has meshed another surface than " + row.surface + ": the area is "
+                             + text("%g", row.result.quality.area) + " instead of " + text("%g", result.quality.area));
 }
 
 // Of other meshers, the edge length is such that they make as many triangles.
@@ -188,6 +198,7 @@ void measure(const Sample& sample, double size, const Settings& settings, std::v
     const double edge_length
       = in_child_process([&] { return calibrated_edge_length(peer, sample, result.number_of_triangles()); });
     rows.push_back({sample.name, peer.name, size, measure(sample, peer, edge_length, size, settings)});
+    check_same_surface(rows.back(), result);
     std::cerr << "," << std::flush;
   }
 }
@@ -240,7 +251,8 @@ Settings::Settings()
     ("placement", value(&placement)->default_value("frontal"), "frontal, off-center or circumcenter")
     ("unimproved", bool_switch(&is_unimproved), "without smoothing sweeps and improvement of the worst triangles")
     ("domain-points", bool_switch(&inserts_domain_points), "inserts the domain points of the mesh instead of random points")
-    ("peers", bool_switch(&has_peers), "with CGAL's own meshers and Gmsh where they can mesh the surface, asked for as many triangles");
+    ("peers", bool_switch(&has_peers),
+     "with CGAL's own meshers and Gmsh, where they can mesh the surface, asked for as many triangles");
 }
 
 Text_table measure_all(const Settings& settings)

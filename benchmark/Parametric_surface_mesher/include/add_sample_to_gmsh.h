@@ -23,7 +23,7 @@ namespace gmsh_geometry {
 typedef Eigen::Spline<double, Eigen::Dynamic> Spline;
 
 const int degree = 3;
-const int points_per_side = 101; // the samples are met within a hundredth of the edges of 500000 triangles
+const int points_per_side = 101; // the samples are met within 1e-5
 
 // Knots as Gmsh wants them, once each.
 struct Knots
@@ -133,9 +133,8 @@ inline void add_bend()
   const double r = sample_surfaces::Bend::radius, begin = 1 - r * sample_surfaces::pi / 4;
   const int p = occ::addPoint(0, 0, 0), q = occ::addPoint(begin, 0, 0), center = occ::addPoint(begin, 0, r),
             s = occ::addPoint(begin + r, 0, r), t = occ::addPoint(begin + r, 0, r + begin);
-  const int wire = occ::addWire({occ::addLine(p, q), occ::addCircleArc(q, center, s), occ::addLine(s, t)});
   gmsh::vectorpair ignored;
-  occ::extrude({{1, wire}}, 0, 1, 0, ignored);
+  occ::extrude({{1, occ::addLine(p, q)}, {1, occ::addCircleArc(q, center, s)}, {1, occ::addLine(s, t)}}, 0, 1, 0, ignored);
 }
 
 // an arc of a meridian, turned about the axis
