@@ -56,7 +56,7 @@ constexpr bool wants_corner_points()
 
 // Hands a finished mesh to the user's data structure.
 template <class Kernel, class TriangleMesh, class NamedParameters>
-void output(const Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParameters& np)
+void output(Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;

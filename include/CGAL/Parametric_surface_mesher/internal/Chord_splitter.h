@@ -35,14 +35,17 @@ class Chord_splitter
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
+  const std::vector<Vertex_handle>& m_boundary_vertices;
   Chords& m_chords_of_shell;
   Chords m_chords; // of the patch
   Vertex_insertion<Triangulation> m_insertion;
   std::map<std::pair<const void*, std::size_t>, Vertex_handle> m_spokes; // looked up, never run through: addresses decide nothing
 
 public:
-  Chord_splitter(Triangulation& triangulation, const Evaluator& evaluate, Chords& chords)
-    : m_triangulation(triangulation), m_evaluate(evaluate), m_chords_of_shell(chords), m_insertion(triangulation)
+  Chord_splitter(Triangulation& triangulation, const Evaluator& evaluate, const std::vector<Vertex_handle>& boundary_vertices,
+                 Chords& chords)
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_boundary_vertices(boundary_vertices), m_chords_of_shell(chords),
+      m_insertion(triangulation)
   {}
 
   // A split flips edges around, which could repeat others.
@@ -65,18 +68,20 @@ private:
     m_chords.clear();
     m_spokes.clear();
     std::vector<Chord> result;
-    for(Face_handle face : m_triangulation.finite_face_handles())
-      if(face->is_in_domain())
-        for(int i = 0; i < 3; ++i)
-          if(!face->is_constrained(i))
-            collect(face->vertex((i + 1) % 3), face->vertex((i + 2) % 3), result);
+    for(Vertex_handle vertex : m_boundary_vertices) {
+      auto face = m_triangulation.incident_faces(vertex);
+      const auto first = face;
+      do {
+        const int i = Triangulation::ccw(face->index(vertex)); // its edge that ends at the vertex
+        if(face->is_in_domain() && !face->is_constrained(i))
+          collect(face->vertex(Triangulation::ccw(i)), vertex, result);
+      } while(++face != first);
+    }
     return result;
   }
 
   void collect(Vertex_handle v, Vertex_handle w, std::vector<Chord>& repeated)
   {
-    if(!w->is_on_boundary())
-      return;
     if(!v->is_on_boundary())
       collect_spoke(v, w, repeated);
     else if(v->index() <= w->index()) // it is seen from both sides: that from the smaller to the larger index counts

@@ -72,13 +72,14 @@ make_output_maps(const VertexPointMap& vertex_point_map, const VertexUvMap& vert
 }
 
 // Adds an indexed mesh to a face graph: vertices and faces in their order.
+// The mesh loses its twins.
 // throws Parametric_surface_mesh_error, before anything is added, if the triangles cannot be faces of one
 template <class Kernel, class TriangleMesh, class Maps>
-void add_to_face_graph(const Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const Maps& maps)
+void add_to_face_graph(Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const Maps& maps)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  const Triangle_twins twins(mesh.faces, mesh.twins);
-  reserve(tm, num_vertices(tm) + mesh.points.size(), num_edges(tm) + 3 * mesh.faces.size() / 2,
+  const Triangle_twins twins(mesh.faces, std::move(mesh.twins));
+  reserve(tm, num_vertices(tm) + mesh.points.size(), num_edges(tm) + twins.number_of_edges(),
           num_faces(tm) + mesh.faces.size());
   std::vector<vertex_descriptor> vertices;
   vertices.reserve(mesh.points.size());

@@ -61,6 +61,8 @@ public:
   void operator()(const Refinement& refinement)
   {
     append_vertices();
+    make_room(m_mesh.faces, m_triangulation.number_of_faces());
+    make_room(m_mesh.twins, 3 * m_triangulation.number_of_faces());
     for_each_face_with_lookahead(m_triangulation, [&](Face_handle face) {
       if(!face->is_in_domain())
         return;
@@ -71,15 +73,24 @@ public:
       note(face, refinement);
       append(face);
     });
-    append_twins();
     m_report.smallest_angle = (std::min)(m_report.smallest_angle, degrees(m_squared_sine));
     m_report.smallest_angle_off_boundary
       = (std::min)(m_report.smallest_angle_off_boundary, degrees(m_squared_sine_off_boundary));
   }
 
 private:
+  // Reserves what a patch needs; with some more, so that many patches do not copy all before them each time.
+  template <class T>
+  static void make_room(std::vector<T>& v, std::size_t n)
+  {
+    if(v.size() + n > v.capacity())
+      v.reserve((std::max)(v.size() + n, v.size() + v.size() / 2));
+  }
+
   void append_vertices()
   {
+    make_room(m_mesh.points, m_triangulation.number_of_vertices());
+    make_room(m_mesh.domain_points, m_triangulation.number_of_vertices());
     for(const auto vertex : m_triangulation.finite_vertex_handles()) {
       if(vertex->is_on_boundary())
         continue;
@@ -95,19 +106,21 @@ private:
     m_mesh.faces.push_back({face->vertex(0)->index(), face->vertex(1)->index(), face->vertex(2)->index()});
     if(m_mesh.keeps_corner_points)
       m_mesh.corner_points.push_back({corner_point(face, 0), corner_point(face, 1), corner_point(face, 2)});
+    append_twins(face);
   }
 
   // Inner edges have their twins in the triangulation. Others are found by their vertices, together with those of other
   // patches: edges of the boundary, edges beside a collapsed triangle, and edges between two boundary vertices, which other
   // patches might repeat.
-  void append_twins()
+  void append_twins(Face_handle face)
   {
     m_mesh.twins.resize(3 * m_mesh.faces.size(), std::size_t(Triangle_twins::none));
-    for(Face_handle face : m_triangulation.finite_face_handles())
-      if(face->is_in_domain() && !is_collapsed(face))
-        for(int i = 0; i < 3; ++i)
-          if(has_inner_twin(face, i))
-            m_mesh.twins[side(face, i)] = side(face->neighbor(i), m_triangulation.mirror_index(face, i));
+    for(int i = 0; i < 3; ++i)
+      if(face->neighbor(i)->has_number() && has_inner_twin(face, i)) {
+        const std::size_t twin = side(face->neighbor(i), face->neighbor(i)->index(face));
+        m_mesh.twins[side(face, i)] = twin;
+        m_mesh.twins[twin] = side(face, i);
+      }
   }
 
   bool has_inner_twin(Face_handle face, int i) const

@@ -111,7 +111,7 @@ public:
     report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
     {
       Phase_timer timer(report.seconds.improvement);
-      Chord_splitter<Evaluator> split_chords(m_triangulation, m_evaluator, chords);
+      Chord_splitter<Evaluator> split_chords(m_triangulation, m_evaluator, m_boundary_vertices, chords);
       split_chords();
     }
     Phase_timer timer(report.seconds.output);

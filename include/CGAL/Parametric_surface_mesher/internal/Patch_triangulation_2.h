@@ -62,7 +62,8 @@ template <class Traits, class Base = Constrained_triangulation_face_base_2<Trait
 class alignas(64) Patch_face_base_2
   : public Base
 {
-  std::uint32_t m_stamp = 0, m_number = 0;
+  static const std::uint32_t no_number = std::uint32_t(-1);
+  std::uint32_t m_stamp = 0, m_number = no_number;
   Face_state m_state = Face_state::UNKNOWN;
   bool m_is_in_domain = false;
   std::uint8_t m_close_edges = 0; // one bit each
@@ -82,7 +83,8 @@ public:
   // Changes whenever the face does, so that a queue entry can tell whether it is out of date.
   std::uint32_t stamp() const { return m_stamp; }
 
-  // in the mesh, once the triangulation is final
+  // in the mesh, once the triangulation is final and the face is there
+  bool has_number() const { return m_number != no_number; }
   std::size_t number() const { return m_number; }
   void set_number(std::size_t number) { m_number = std::uint32_t(number); }
 

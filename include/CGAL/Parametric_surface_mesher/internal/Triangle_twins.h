@@ -66,6 +66,13 @@ public:
   // the side opposite to `side`, or `none` on the border
   std::size_t twin(std::size_t side) const { return m_twins[side]; }
 
+  // of the triangles, counting two opposite sides as one
+  std::size_t number_of_edges() const
+  {
+    const std::size_t on_border = std::size_t(std::count(m_twins.begin(), m_twins.end(), std::size_t(none)));
+    return (m_twins.size() + on_border) / 2;
+  }
+
   std::size_t source(std::size_t side) const { return m_triangles[side / 3][side % 3]; }
   std::size_t target(std::size_t side) const { return m_triangles[side / 3][(side % 3 + 1) % 3]; }
 
