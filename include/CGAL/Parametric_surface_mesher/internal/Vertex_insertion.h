@@ -34,7 +34,8 @@ public:
   Vertex_handle insert_in_face(const Point& p, Face_handle face)
   {
     const Vertex_handle vertex = split(face, p);
-    m_stack = {face, face->neighbor(1), face->neighbor(2)};
+    for(Face_handle side : {face, face->neighbor(1), face->neighbor(2)})
+      m_stack.push_back(side);
     restore(vertex);
     return vertex;
   }
