@@ -20,14 +20,23 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The middle of an edge in the domain. A surface in other coordinates than those of its domain has an overload.
+// The middle of an edge, straight in the domain. A surface in other coordinates than those of its domain has overloads of this
+// and the next two functions.
 template <class Surface, class Point_2>
-Point_2 domain_middle(const Surface&, const Point_2& p, const Point_2& q)
+Point_2 edge_middle(const Surface&, const Point_2& p, const Point_2& q)
 {
   return Point_2(0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y()));
 }
 
-// What the user knows of a point: its place in the domain. A surface in other coordinates has an overload.
+// the point of the surface there
+template <class Surface, class Point_2>
+auto edge_middle_in_space(const Surface& surface, const Point_2& p, const Point_2& q)
+{
+  const Point_2 middle = edge_middle(surface, p, q);
+  return surface.point(middle.x(), middle.y());
+}
+
+// What the user knows of a point: its place in the domain.
 template <class Surface, class Point_2>
 Point_2 place_in_domain(const Surface&, const Point_2& p)
 {
@@ -106,16 +115,15 @@ public:
   template <class ParametricPoint>
   double squared_height(const ParametricPoint& p, const ParametricPoint& q, double gamma) const
   {
-    using Parametric_surface_mesher::internal::domain_middle;
+    using namespace Parametric_surface_mesher::internal;
     typedef typename Geom_traits::Point_2 Point_2;
-    const Point_2 middle = domain_middle(m_surface, static_cast<const Point_2&>(p), static_cast<const Point_2&>(q));
-    const Point_3 &a = p.surface_point(), &b = q.surface_point();
-    const Vector_3 height = vector_from_line(m_surface.point(middle.x(), middle.y()), a, b);
+    const Point_2 &source = p, &target = q;
+    const Vector_3 height = vector_from_line(edge_middle_in_space(m_surface, source, target), p.surface_point(), q.surface_point());
     double result = height.squared_length();
     if(counts_along_normal_only(p, q, result, gamma))
-      result = squared_height_along_normal(middle, height);
+      result = squared_height_along_normal(edge_middle(m_surface, source, target), height);
     if(!std::isfinite(result))
-      Parametric_surface_mesher::internal::throw_not_finite(m_surface, middle);
+      throw_not_finite(m_surface, edge_middle(m_surface, source, target));
     return result;
   }
 

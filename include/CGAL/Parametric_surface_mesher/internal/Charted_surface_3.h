@@ -4,13 +4,15 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTED_SURFACE_3_H
 
 #include <CGAL/Parametric_surface_mesher/internal/Patch_chart_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Recent_values.h>
 #include <CGAL/Surface_jet_3.h>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A surface in the coordinates of a chart: a model of `ParametricSurface_3`.
+// A surface in the coordinates of a chart: a model of `ParametricSurface_3`. The way back to the domain costs as much as an
+// evaluation of the surface, and all edges of a vertex ask for it: it is remembered. So an object is for one thread.
 template <class Surface>
 class Charted_surface_3
 {
@@ -23,19 +25,30 @@ public:
 private:
   const Surface& m_surface;
   Chart m_chart;
+  mutable Recent_values<Point_2, Point_2> m_domain_points;
 
 public:
-  Charted_surface_3(const Surface& surface, const Chart& chart) : m_surface(surface), m_chart(chart) {}
+  Charted_surface_3(const Surface& surface, const Chart& chart)
+    : m_surface(surface), m_chart(chart), m_domain_points(chart.is_identity() ? 0 : 1024)
+  {}
 
   const Chart& chart() const { return m_chart; }
+
+  // see `Patch_chart_2`; in a chart that is the identity it is for nobody to ask
+  const Point_2& domain_point(const Point_2& z) const
+  {
+    return m_domain_points(z, [this](const Point_2& p) { return m_chart.domain_point(p); });
+  }
 
   Point_3 point(double x, double y) const
   {
     if(m_chart.is_identity())
       return m_surface.point(x, y);
-    const Point_2 uv = m_chart.domain_point(Point_2(x, y));
+    const Point_2 uv = domain_point(Point_2(x, y));
     return m_surface.point(uv.x(), uv.y());
   }
+
+  Point_3 point_in_domain(const Point_2& uv) const { return m_surface.point(uv.x(), uv.y()); }
 
   // At a pole the derivatives depend on the direction: those a little away from it are taken.
   Surface_jet_3<Geom_traits> jet(double x, double y) const
@@ -45,7 +58,7 @@ public:
     Point_2 z(x, y);
     if(m_chart.is_pole(z))
       z = m_chart.beside_pole(z, distance_from_pole);
-    const Point_2 uv = m_chart.domain_point(z);
+    const Point_2 uv = domain_point(z);
     return m_chart.chart_jet(m_surface.jet(uv.x(), uv.y()), z);
   }
 
@@ -54,7 +67,7 @@ public:
   {
     if(!m_chart.keeps_domain_lines())
       return jet(z.x(), z.y());
-    const Point_2 uv = m_chart.domain_point(z);
+    const Point_2 uv = domain_point(z);
     return m_surface.jet(uv.x(), uv.y());
   }
 
@@ -68,20 +81,42 @@ Point_2 place_in_domain(const Charted_surface_3<Surface>& surface, const Point_2
   return surface.chart().domain_point(z);
 }
 
-// The middle of an edge in the coordinates whose straight lines count, as a point of the chart. Of a pole, a whole side of the domain, the point
-// opposite to the other end counts.
+// whether edges are straight in the domain and not in the coordinates of the patch
+template <class Surface>
+bool has_bent_edges(const Charted_surface_3<Surface>& surface)
+{
+  return !surface.chart().is_identity() && surface.chart().keeps_domain_lines();
+}
+
+// Of an edge between two points of the chart, in the domain. Of a pole, a whole side of the domain, the point opposite to the
+// other end counts.
 template <class Surface, class Point_2>
-Point_2 domain_middle(const Charted_surface_3<Surface>& surface, const Point_2& p, const Point_2& q)
+Point_2 middle_in_domain(const Charted_surface_3<Surface>& surface, const Point_2& p, const Point_2& q)
 {
   const auto& chart = surface.chart();
-  if(chart.is_identity() || !chart.keeps_domain_lines())
-    return midpoint(p, q);
-  Point_2 a = chart.domain_point(p), b = chart.domain_point(q);
+  Point_2 a = surface.domain_point(p), b = surface.domain_point(q);
   if(chart.is_pole(p))
     a = chart.on_collapsed_side(a, b);
   if(chart.is_pole(q))
     b = chart.on_collapsed_side(b, a);
-  return chart.chart_point(midpoint(a, b));
+  return midpoint(a, b);
+}
+
+// The middle of an edge in the coordinates whose straight lines count, as a point of the chart.
+template <class Surface, class Point_2>
+Point_2 edge_middle(const Charted_surface_3<Surface>& surface, const Point_2& p, const Point_2& q)
+{
+  return has_bent_edges(surface) ? surface.chart().chart_point(middle_in_domain(surface, p, q)) : midpoint(p, q);
+}
+
+// The same in space, without the way through the chart and back.
+template <class Surface, class Point_2>
+auto edge_middle_in_space(const Charted_surface_3<Surface>& surface, const Point_2& p, const Point_2& q)
+{
+  if(has_bent_edges(surface))
+    return surface.point_in_domain(middle_in_domain(surface, p, q));
+  const Point_2 middle = midpoint(p, q);
+  return surface.point(middle.x(), middle.y());
 }
 
 } // namespace internal

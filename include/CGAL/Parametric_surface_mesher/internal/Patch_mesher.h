@@ -86,8 +86,7 @@ public:
     in_phase("refinement", m_report.seconds.refinement, [&] {
       if(m_criteria.placement() == Mesh_point_placement::FRONTAL)
         m_refine.advance_front();
-      if(improve.has_sweeps())
-        m_refine.refine_by_shape();
+      m_refine.refine_by_shape();
     });
     if(improve.has_sweeps() && !m_refine.is_stopped())
       in_phase("smoothing", m_report.seconds.improvement, [&] { improve.smooth(); });

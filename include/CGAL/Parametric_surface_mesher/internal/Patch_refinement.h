@@ -84,7 +84,8 @@ public:
     refine_all();
   }
 
-  // The same for size and angle alone, which cost little to test. Criteria of the user's own are tested whole.
+  // The same for size and angle alone, which cost little to test: most triangles on the way do not live to be tested whole.
+  // Criteria of the user's own are tested whole all the same.
   void refine_by_shape()
   {
     m_tests_shape_only = true;
