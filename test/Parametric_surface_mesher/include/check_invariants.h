@@ -181,9 +181,7 @@ private:
       EXPECT_TRUE(is_near_border(f)) << f << " is left in the midst of the mesh";
     else {
       EXPECT_EQ(CGAL::Unmet_cause::MINIMUM_EDGE, cause) << f;
-      // for the sake of an angle edges stay above a share of the spacing, too
-      EXPECT_LT(shape(m_mesh, f).shortest, (std::max)(2.5 * m_criteria.min_edge(), 0.22 * m_criteria.max_edge()))
-        << f << " has room for a point";
+      EXPECT_LT(shape(m_mesh, f).shortest, 2.5 * m_criteria.min_edge()) << f << " has room for a point";
     }
   }
 
