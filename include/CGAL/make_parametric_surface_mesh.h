@@ -180,14 +180,15 @@ or are nested wrongly, a domain of area zero, a degenerate surface, or sizes tha
 
 Complexity: `O(n log n)` in practice for `n` triangles.
 */
-template <class Surface, class Criteria, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class Surface, class Criteria, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters>
 Parametric_surface_mesh_report
 make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<typename Surface::Geom_traits>& domain,
                              const Criteria& criteria, TriangleMesh& tm,
                              const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  return mesh_model_into<Sequential_tag>(tm, model_of_patch(surface, domain), criteria, np,
+  return mesh_model_into<ConcurrencyTag>(tm, model_of_patch(surface, domain), criteria, np,
                          [](auto& division) { division.number_along_edges(); });
 }
 
