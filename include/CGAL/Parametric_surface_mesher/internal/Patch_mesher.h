@@ -127,23 +127,26 @@ public:
   // \pre the boundary vertices are in `mesh` already
   void collect(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords, Parametric_surface_mesh_report& report)
   {
-    collect(mesh, chords, report, m_refine);
+    split_chords(chords);
+    collect(mesh, report, m_refine, 0);
   }
 
-  // The same where `causes`, in place of the refinement, tells why triangles were left bad.
+  // no two patches are to have the same chord
+  void split_chords(typename Indexed_mesh<Kernel>::Chords& chords)
+  {
+    Phase_timer timer(m_report.seconds.improvement);
+    Chord_splitter<Evaluator> split_chords(m_triangulation, m_evaluator, chords);
+    split_chords();
+  }
+
+  // `causes`: tells why triangles were left bad, as the refinement does. `first_inner_index`: see `Patch_collector`
   template <class Causes>
-  void collect(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords, Parametric_surface_mesh_report& report,
-               const Causes& causes)
+  void collect(Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report, const Causes& causes, std::size_t first_inner_index)
   {
     report.seconds += m_report.seconds;
     report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
-    {
-      Phase_timer timer(report.seconds.improvement);
-      Chord_splitter<Evaluator> split_chords(m_triangulation, m_evaluator, chords);
-      split_chords();
-    }
     Phase_timer timer(report.seconds.output);
-    Patch_collector<Kernel> collect(m_triangulation, m_surface.chart(), mesh, report);
+    Patch_collector<Kernel> collect(m_triangulation, m_surface.chart(), mesh, report, first_inner_index);
     if(!m_surface.chart().is_identity())
       collect.set_domain_points(m_boundary_vertices, without_collapsed_sides(m_loops));
     collect(causes);

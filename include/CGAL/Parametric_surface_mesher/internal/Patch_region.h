@@ -85,6 +85,51 @@ struct Region_cut
   std::vector<Chain> chains;
 };
 
+// Tells whether points are inside a loop, roughly: on the loop itself either answer is possible.
+template <class Kernel>
+class Loop_inside
+{
+  typedef typename Kernel::Point_2 Point_2;
+
+  static const int number_of_slices = 256;
+
+  const std::vector<Region_node<Kernel>>& m_loop;
+  double m_first, m_width; // of the slices by the second coordinate
+  std::vector<std::vector<std::size_t>> m_edges; // that meet each slice
+
+public:
+  explicit Loop_inside(const std::vector<Region_node<Kernel>>& loop) : m_loop(loop), m_edges(number_of_slices)
+  {
+    const auto ends = std::minmax_element(loop.begin(), loop.end(), [](const auto& a, const auto& b) { return a.domain_point.y() < b.domain_point.y(); });
+    m_first = ends.first->domain_point.y();
+    m_width = (ends.second->domain_point.y() - m_first) / number_of_slices;
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      const auto slices = std::minmax({slice(loop[i].domain_point), slice(target(i))});
+      for(std::size_t k = slices.first; k <= slices.second; ++k)
+        m_edges[k].push_back(i);
+    }
+  }
+
+  bool operator()(const Point_2& p) const
+  {
+    bool result = false;
+    for(std::size_t i : m_edges[slice(p)]) {
+      const Point_2 &a = m_loop[i].domain_point, &b = target(i);
+      if((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
+        result = !result;
+    }
+    return result;
+  }
+
+private:
+  const Point_2& target(std::size_t i) const { return m_loop[i + 1 < m_loop.size() ? i + 1 : 0].domain_point; }
+
+  std::size_t slice(const Point_2& p) const
+  {
+    return std::size_t((std::min)((std::max)((p.y() - m_first) / m_width, 0.), number_of_slices - 1.));
+  }
+};
+
 /*
 Takes a region apart at a cut: the edges of its boundary and both directions of the cut's are run through with the nearest
 edge to the left next, and the loops that arise that way bound the parts.
@@ -123,22 +168,24 @@ public:
     for(Loop& loop : trace_loops())
       if(signed_area(loop) > 0) {
         result.emplace_back();
+        result.back().loops.reserve(1 + m_region.loops.size()); // they stay where they are
         result.back().loops.push_back(std::move(loop));
       }
       else
         holes.push_back(std::move(loop));
-    for(Loop& hole : holes)
-      for(Region& part : result)
-        if(contains(part.loops.front(), hole.front().domain_point)) {
-          part.loops.push_back(std::move(hole));
-          break;
-        }
+    std::vector<Loop_inside<Kernel>> is_inside;
+    for(const Region& part : result)
+      is_inside.emplace_back(part.loops.front());
+    const auto part_with = [&](const Point_2& p) -> Region& { // if none is found, it is the last one
+      std::size_t i = 0;
+      while(i + 1 < result.size() && !is_inside[i](p))
+        ++i;
+      return result[i];
+    };
+    for(const Loop& hole : holes)
+      part_with(hole.front().domain_point).loops.push_back(hole);
     for(const auto& cell : m_region.cells)
-      for(Region& part : result)
-        if(&part == &result.back() || contains(part.loops.front(), cell.center)) {
-          part.cells.push_back(cell);
-          break;
-        }
+      part_with(cell.center).cells.push_back(cell);
     return result;
   }
 
@@ -202,17 +249,6 @@ private:
   {
     const auto d = m_nodes[to]->domain_point - m_nodes[from]->domain_point;
     return std::atan2(d.y(), d.x());
-  }
-
-  static bool contains(const Loop& loop, const Point_2& p)
-  {
-    bool result = false;
-    for(std::size_t i = 0, k = loop.size() - 1; i < loop.size(); k = i++) {
-      const Point_2 &a = loop[i].domain_point, &b = loop[k].domain_point;
-      if((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
-        result = !result;
-    }
-    return result;
   }
 };
 

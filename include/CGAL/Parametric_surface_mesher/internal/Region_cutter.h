@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,7 @@ private:
 
   static const int number_of_directions = 12;
   static const int max_number_of_attempts = 20;
+  static const int number_of_slices = 512;
   static constexpr double smallest_cosine = 0.64; // of the angle with the perpendicular of the boundary: 50 degrees are left
   static constexpr double smallest_clearance = 0.7; // by the spacing
   static const std::size_t least_number_of_pieces = 6;
@@ -49,7 +51,8 @@ private:
   // the line a x + b y = offset
   struct Line
   {
-    double a, b, offset;
+    double a, b, offset = 0;
+    double width = 0; // of the region, across the line
 
     double operator()(const Point_2& p) const { return a * p.x() + b * p.y() - offset; }
     double along(const Point_2& p) const { return a * p.y() - b * p.x(); }
@@ -97,32 +100,45 @@ private:
     const double l0 = std::sqrt(mean.e()), l1 = mean.f() / l0, l2 = std::sqrt(mean.g() - l1 * l1);
     for(int k = 0; k < number_of_directions; ++k) {
       const double angle = k * CGAL_PI / number_of_directions, c = std::cos(angle), s = std::sin(angle);
-      append_candidates(region, mean, Line{l0 * c, l1 * c + l2 * s, 0}, result);
+      append_candidates(region, mean, Line{l0 * c, l1 * c + l2 * s}, result);
     }
     return result;
   }
 
   void append_candidates(const Region& region, const Metric_tensor_2& mean, Line line, std::vector<Candidate>& result) const
   {
-    std::vector<std::pair<double, double>> cells; // place across the line, weight
-    double total = 0;
-    for(const auto& cell : region.cells) {
-      cells.emplace_back(line(cell.center), cell.weight);
-      total += cell.weight;
-    }
-    std::sort(cells.begin(), cells.end());
+    const std::vector<double> weights = weights_across(region, line);
+    const double total = std::accumulate(weights.begin(), weights.end(), 0.), first = line.offset, width = line.width / number_of_slices;
     for(double share : {0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66}) {
       double sum = 0;
       std::size_t i = 0;
-      for(; i + 1 < cells.size() && sum + cells[i].second < share * total; ++i)
-        sum += cells[i].second;
-      line.offset = cells[i].first;
+      for(; i + 1 < weights.size() && sum + weights[i] < share * total; ++i)
+        sum += weights[i];
+      line.offset = first + (double(i) + (share * total - sum) / weights[i]) * width;
       Candidate candidate;
       if(find_ends(region, mean, line, candidate)) {
         candidate.score /= (std::min)(share, 1 - share);
         result.push_back(std::move(candidate));
       }
     }
+  }
+
+  // of slices along the line, from its offset on; sets offset and width
+  static std::vector<double> weights_across(const Region& region, Line& line)
+  {
+    double smallest = line(region.loops[0][0].domain_point), largest = smallest;
+    for(const Node& node : region.loops[0]) {
+      smallest = (std::min)(smallest, line(node.domain_point));
+      largest = (std::max)(largest, line(node.domain_point));
+    }
+    line.offset = smallest;
+    line.width = largest - smallest;
+    std::vector<double> result(number_of_slices, 0.);
+    for(const auto& cell : region.cells) {
+      const double place = line(cell.center) / line.width * number_of_slices;
+      result[std::size_t((std::min)((std::max)(place, 0.), number_of_slices - 1.))] += cell.weight;
+    }
+    return result;
   }
 
   // what of the line is inside; the score is its length, more if an angle with the boundary is not good
@@ -238,9 +254,10 @@ private:
   static bool is_clear(const Region& region, const Cut& cut)
   {
     for(const Chain& chain : cut.chains) {
+      const double reach = largest_clearance(chain);
       for(std::size_t l = 0; l < region.loops.size(); ++l)
         for(std::size_t i = 0; i < region.loops[l].size(); ++i)
-          if(!is_clear(region, {l, i}, chain))
+          if(!is_clear(region, {l, i}, chain, reach))
             return false;
       for(const Chain& other : cut.chains)
         if(&other != &chain && (are_one(chain.source, other.source) || are_one(chain.source, other.target) || are_one(chain.target, other.target)))
@@ -251,21 +268,39 @@ private:
 
   static bool are_one(const Region_place& a, const Region_place& b) { return a.loop == b.loop && a.number == b.number; }
 
-  static bool is_clear(const Region& region, const Region_place& place, const Chain& chain)
+  // in the domain
+  static double largest_clearance(const Chain& chain)
+  {
+    double squared = 0;
+    for(std::size_t k = 0; k + 1 < chain.nodes.size(); ++k)
+      squared = (std::max)(squared, squared_clearance(chain, k) / chain.nodes[k].tensor.lambda_min());
+    return std::sqrt(squared);
+  }
+
+  // in space
+  static double squared_clearance(const Chain& chain, std::size_t k)
+  {
+    const auto step = chain.nodes[k + 1].domain_point - chain.nodes[k].domain_point;
+    return square(smallest_clearance) * chain.nodes[k].tensor.squared_length(step.x(), step.y());
+  }
+
+  // `reach`: from the line of the chain no point farther away in the domain is too close
+  static bool is_clear(const Region& region, const Region_place& place, const Chain& chain, double reach)
   {
     const Region_place next{place.loop, (place.number + 1) % region.loops[place.loop].size()};
     const bool is_source = are_one(place, chain.source), is_target = are_one(place, chain.target);
     if(is_source && is_target)
       return false;
+    const Point_2 &p = node(region, place).domain_point, &from = chain.nodes.front().domain_point, &to = chain.nodes.back().domain_point;
     if(!is_source && !is_target && !are_one(next, chain.source) && !are_one(next, chain.target)
-       && do_intersect(Segment_2(node(region, place).domain_point, node(region, next).domain_point),
-                       Segment_2(chain.nodes.front().domain_point, chain.nodes.back().domain_point)))
+       && do_intersect(Segment_2(p, node(region, next).domain_point), Segment_2(from, to)))
       return false;
-    for(std::size_t k = 1; !is_source && !is_target && k + 1 < chain.nodes.size(); ++k) {
-      const auto &tensor = chain.nodes[k].tensor;
-      const auto d = node(region, place).domain_point - chain.nodes[k].domain_point,
-                 step = chain.nodes[k + 1].domain_point - chain.nodes[k].domain_point;
-      if(tensor.squared_length(d.x(), d.y()) < square(smallest_clearance) * tensor.squared_length(step.x(), step.y()))
+    const auto way = to - from, d = p - from;
+    if(is_source || is_target || square(way.x() * d.y() - way.y() * d.x()) > square(reach) * way.squared_length())
+      return true;
+    for(std::size_t k = 1; k + 1 < chain.nodes.size(); ++k) {
+      const auto away = p - chain.nodes[k].domain_point;
+      if(chain.nodes[k].tensor.squared_length(away.x(), away.y()) < squared_clearance(chain, k))
         return false;
     }
     return true;

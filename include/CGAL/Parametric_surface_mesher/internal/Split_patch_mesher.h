@@ -12,12 +12,14 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_parts.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_sketch.h>
 #include <CGAL/Parametric_surface_mesher/internal/Phase_timer.h>
+#include <CGAL/Parametric_surface_mesher/internal/Triangle_twins.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <iterator>
 #include <memory>
 #include <numeric>
 #include <set>
@@ -27,6 +29,36 @@
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
+
+// Appends meshes, at the same time. In each the indices from `first_index` on are those of its own points, others are in `mesh`.
+template <class ConcurrencyTag, class Kernel>
+void append_meshes(std::vector<Indexed_mesh<Kernel>>& meshes, std::size_t first_index, Indexed_mesh<Kernel>& mesh)
+{
+  std::vector<std::size_t> points(1, mesh.points.size()), faces(1, mesh.faces.size()); // where each mesh begins
+  for(const auto& other : meshes) {
+    points.push_back(points.back() + other.points.size());
+    faces.push_back(faces.back() + other.faces.size());
+  }
+  mesh.points.resize(points.back());
+  mesh.domain_points.resize(points.back());
+  mesh.faces.resize(faces.back());
+  mesh.twins.resize(3 * faces.front(), std::size_t(Triangle_twins::none));
+  mesh.twins.resize(3 * faces.back());
+  if(mesh.keeps_corner_points)
+    mesh.corner_points.resize(faces.back());
+  for_each_index<ConcurrencyTag>(meshes.size(), [&](std::size_t i) {
+    const Indexed_mesh<Kernel> other = std::move(meshes[i]);
+    std::copy(other.points.begin(), other.points.end(), mesh.points.begin() + points[i]);
+    std::copy(other.domain_points.begin(), other.domain_points.end(), mesh.domain_points.begin() + points[i]);
+    std::copy(other.corner_points.begin(), other.corner_points.end(), mesh.corner_points.begin() + (mesh.keeps_corner_points ? faces[i] : 0));
+    for(std::size_t f = 0; f < other.faces.size(); ++f)
+      for(std::size_t k = 0; k < 3; ++k) {
+        const std::size_t v = other.faces[f][k], twin = other.twins[3 * f + k];
+        mesh.faces[faces[i] + f][k] = v < first_index ? v : v - first_index + points[i];
+        mesh.twins[3 * (faces[i] + f) + k] = twin == Triangle_twins::none ? twin : twin + 3 * faces[i];
+      }
+  });
+}
 
 // Calls a function for 0, ..., n - 1, the heaviest first. Of several exceptions the one with the smallest number is thrown, when
 // all calls are done.
@@ -130,14 +162,13 @@ public:
   std::size_t number_of_inner_vertices() const { return m_number_of_inner_vertices; }
 
   // see `Patch_mesher`
+  template <class ConcurrencyTag>
   void collect(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords, Parametric_surface_mesh_report& report)
   {
     if(m_whole) {
       m_whole->collect(mesh, chords, report);
       return;
     }
-    report.seconds += m_report.seconds;
-    report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
     for(Shared_vertex& vertex : m_shared) {
       if(vertex.index == not_shared)
         continue;
@@ -145,13 +176,22 @@ public:
       mesh.points.push_back(vertex.surface_point);
       mesh.domain_points.push_back(vertex.domain_point);
     }
-    for(auto* meshers : {&m_parts, &m_strips})
-      for(auto& mesher : *meshers) {
-        number_shared_vertices(mesher->triangulation());
-        mesher->collect(mesh, chords, report,
-                        Causes{mesher->refinement(), m_first_index, m_is_stopped ? Unmet_cause::STOPPED : Unmet_cause::NO_BETTER_POINT});
-        mesher.reset();
-      }
+    std::move(m_strips.begin(), m_strips.end(), std::back_inserter(m_parts));
+    m_strips.clear();
+    for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) { number_shared_vertices(m_parts[i]->triangulation()); });
+    for(const auto& part : m_parts)
+      part->split_chords(chords);
+    const std::size_t first_inner_index = mesh.points.size();
+    std::vector<Indexed_mesh<Kernel>> meshes(m_parts.size());
+    std::vector<Parametric_surface_mesh_report> reports(m_parts.size());
+    for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) {
+      meshes[i].keeps_corner_points = mesh.keeps_corner_points;
+      m_parts[i]->collect(meshes[i], reports[i], Causes{m_parts[i]->refinement(), m_first_index, cause_at_cut()}, first_inner_index);
+      m_parts[i].reset();
+    });
+    Phase_timer timer(report.seconds.output);
+    append_reports(reports, meshes, mesh.faces.size(), report);
+    append_meshes<ConcurrencyTag>(meshes, first_inner_index, mesh);
   }
 
 private:
@@ -256,6 +296,23 @@ private:
         for(const Shared_vertex& vertex : loop)
           if(vertex.index >= m_first_index)
             m_shared[vertex.index - m_first_index] = {vertex.domain_point, vertex.surface_point, 0};
+  }
+
+  Unmet_cause cause_at_cut() const { return m_is_stopped ? Unmet_cause::STOPPED : Unmet_cause::NO_BETTER_POINT; }
+
+  void append_reports(const std::vector<Parametric_surface_mesh_report>& reports, const std::vector<Indexed_mesh<Kernel>>& meshes,
+                      std::size_t first_face, Parametric_surface_mesh_report& report) const
+  {
+    report.seconds += m_report.seconds;
+    report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
+    for(std::size_t i = 0; i < reports.size(); first_face += meshes[i].faces.size(), ++i) {
+      report.seconds += reports[i].seconds;
+      report.number_of_replaced_tensors += reports[i].number_of_replaced_tensors;
+      report.smallest_angle = (std::min)(report.smallest_angle, reports[i].smallest_angle);
+      report.smallest_angle_off_boundary = (std::min)(report.smallest_angle_off_boundary, reports[i].smallest_angle_off_boundary);
+      for(const auto& unmet : reports[i].unmet)
+        report.unmet.push_back({first_face + unmet.face, unmet.criterion, unmet.cause});
+    }
   }
 
   void number_shared_vertices(Triangulation& triangulation) const

@@ -118,7 +118,7 @@ public:
             const Loops loops = division.boundary_loops(f);
             Face_mesher mesher(m_oracles[f], criteria_of_face(f, loops, mesh.points.size()), loops, m_visitor);
             mesher.template run<ConcurrencyTag>();
-            collect(f, mesher, mesh);
+            collect<ConcurrencyTag>(f, mesher, mesh);
           });
     m_report.number_of_faces = mesh.faces.size();
   }
@@ -154,7 +154,7 @@ private:
     for(Task& task : tasks) {
       if(task.error)
         std::rethrow_exception(task.error);
-      with_name_of_face(m_model, task.face, [&] { collect(task.face, *task.mesher, mesh); });
+      with_name_of_face(m_model, task.face, [&] { collect<ConcurrencyTag>(task.face, *task.mesher, mesh); });
       task.mesher.reset();
     }
     return true;
@@ -188,6 +188,7 @@ private:
     }
   }
 
+  template <class ConcurrencyTag>
   void collect(std::size_t number, Face_mesher& mesher, Mesh& mesh)
   {
     const auto& face = m_model.faces()[number];
@@ -195,7 +196,7 @@ private:
     for(const auto& loop : mesher.loops())
       for(const auto& vertex : loop)
         mesh.domain_points[vertex.index] = vertex.domain_point;
-    mesher.collect(mesh, mesh.chords[face.shell], m_report);
+    mesher.template collect<ConcurrencyTag>(mesh, mesh.chords[face.shell], m_report);
     if(face.is_reversed)
       mesh.reverse_faces(first);
     mesh.patches.resize(mesh.faces.size(), number);
