@@ -71,8 +71,8 @@ private:
 
 public:
   Cut_strips(const Patch_parts<Kernel>& parts, std::vector<Triangulation*> triangulations)
-    : m_parts(parts), m_triangulations(std::move(triangulations)), m_taken(m_triangulations.size()), m_strips(parts.number_of_seams()),
-      m_is_on_border(parts.number_of_cut_points(), false)
+    : m_parts(parts), m_triangulations(std::move(triangulations)), m_taken(m_triangulations.size()),
+      m_strips(parts.number_of_seams()), m_is_on_border(parts.number_of_cut_points(), false)
   {}
 
   // the numbers of triangles of the strips, once they are connected

@@ -80,7 +80,8 @@ public:
   {}
 
   // A part of a patch without a chart. `box`: of the patch, where its surface may be evaluated.
-  Patch_mesher(const Oracle& oracle, const Criteria& criteria, Boundary_loops<Kernel> loops, Visitor& visitor, const Bbox_2& box)
+  Patch_mesher(const Oracle& oracle, const Criteria& criteria, Boundary_loops<Kernel> loops, Visitor& visitor,
+               const Bbox_2& box)
     : m_surface(oracle.surface(), Patch_chart_2<Kernel>()), m_oracle(m_surface, oracle.metric(), oracle.singular_points()),
       m_criteria(criteria), m_loops(std::move(loops)), m_charted_loops(m_loops), m_evaluator(m_oracle, m_criteria, box),
       m_visitor(visitor), m_refine(m_triangulation, m_evaluator, m_criteria, visitor), m_is_part(true)
@@ -141,7 +142,8 @@ public:
 
   // `causes`: tells why triangles were left bad, as the refinement does. `first_inner_index`: see `Patch_collector`
   template <class Causes>
-  void collect(Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report, const Causes& causes, std::size_t first_inner_index)
+  void collect(Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report, const Causes& causes,
+               std::size_t first_inner_index)
   {
     report.seconds += m_report.seconds;
     report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;

@@ -7,6 +7,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_region.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_sketch.h>
 #include <CGAL/Parametric_surface_mesher/internal/Region_cutter.h>
+#include <CGAL/Parametric_surface_mesher/internal/Region_division.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,8 +23,8 @@ namespace internal {
 The parts of a large patch: it is cut in two, and so are its parts, until none has more triangles than it may, or no good cut
 is found. Depends on the input alone.
 
-Points of cuts have indices from `first_index()` on. Each belongs to a seam, where the trace of the cut will be removed: that of
-its cut or, close to where cuts meet, that of the meeting point.
+Points of cuts have indices from `first_index()` on. Each belongs to a seam, where the trace of the cut will be removed: that
+of its cut or, close to where cuts meet, that of the meeting point.
 */
 template <class Kernel>
 class Patch_parts
@@ -42,7 +43,8 @@ class Patch_parts
 
 public:
   template <class Evaluator>
-  Patch_parts(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch, const Boundary_loops<Kernel>& loops, double max_weight)
+  Patch_parts(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch, const Boundary_loops<Kernel>& loops,
+              double max_weight)
   {
     std::vector<Region> stack(1, region_of_patch(evaluate, sketch, loops));
     const Region_cutter<Evaluator> find_cut(evaluate, sketch);
@@ -73,7 +75,8 @@ public:
 
 private:
   template <class Evaluator>
-  Region region_of_patch(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch, const Boundary_loops<Kernel>& loops)
+  Region region_of_patch(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch,
+                         const Boundary_loops<Kernel>& loops)
   {
     Region result;
     result.cells = sketch.cells();

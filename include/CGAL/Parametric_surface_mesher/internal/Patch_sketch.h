@@ -96,15 +96,16 @@ private:
 
 public:
   // \pre no segments of the loops cross
-  Patch_sketch(const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria, const Boundary_loops<Kernel>& loops,
-               double coarseness)
+  Patch_sketch(const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria,
+               const Boundary_loops<Kernel>& loops, double coarseness)
     : m_evaluate(evaluate), m_criteria(criteria, coarseness)
   {
     Boundary_triangulator<Kernel> triangulate(m_triangulation, loops);
     triangulate(evaluate);
     m_number_of_replaced_tensors = triangulate.number_of_replaced_tensors();
     m_criteria.set_placement(Mesh_point_placement::CIRCUMCENTER);
-    Patch_refinement<Evaluator, Sketch_criteria, Parametric_surface_mesh_visitor> refine(m_triangulation, evaluate, m_criteria, m_visitor);
+    typedef Patch_refinement<Evaluator, Sketch_criteria, Parametric_surface_mesh_visitor> Refinement;
+    Refinement refine(m_triangulation, evaluate, m_criteria, m_visitor);
     refine();
   }
 
@@ -126,7 +127,9 @@ public:
   // The spacing at a point of the patch; 0 if it is not found. It is faster for points that follow each other closely.
   double spacing(const Point_2& p) const
   {
-    Location location = m_hint == Face_handle() ? Location{Location::LOST, m_hint, -1} : walk_in_domain(m_triangulation, m_hint, p);
+    Location location{Location::LOST, m_hint, -1};
+    if(m_hint != Face_handle())
+      location = walk_in_domain(m_triangulation, m_hint, p);
     if(location.kind == Location::LOST || location.kind == Location::BEHIND_CONSTRAINT)
       location.face = m_triangulation.locate(typename Triangulation::Point(p));
     if(location.face == Face_handle() || m_triangulation.is_infinite(location.face))
@@ -157,7 +160,8 @@ private:
   {
     double sum = 0, weights = 0;
     for(int i = 0; i < 3; ++i) {
-      const Point_2 &q = face->vertex((i + 1) % 3)->point().domain_point(), &r = face->vertex((i + 2) % 3)->point().domain_point();
+      const Point_2 &q = face->vertex((i + 1) % 3)->point().domain_point(),
+                    &r = face->vertex((i + 2) % 3)->point().domain_point();
       const double weight = (std::max)(0., (q.x() - p.x()) * (r.y() - p.y()) - (r.x() - p.x()) * (q.y() - p.y()));
       sum += weight * face->vertex(i)->spacing();
       weights += weight;

@@ -40,6 +40,7 @@ private:
   typedef Region_node<Kernel> Node;
   typedef typename Kernel::Point_2 Point_2;
   typedef typename Kernel::Segment_2 Segment_2;
+  typedef typename Kernel::Vector_2 Vector_2;
 
   static const int number_of_directions = 12;
   static const int max_number_of_attempts = 20;
@@ -68,13 +69,16 @@ private:
   const Patch_sketch<Evaluator>& m_sketch;
 
 public:
-  Region_cutter(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch) : m_evaluate(evaluate), m_sketch(sketch) {}
+  Region_cutter(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch) : m_evaluate(evaluate), m_sketch(sketch)
+  {}
 
   // No chains if there is no good cut. The index of their inner nodes is not set.
   Cut operator()(const Region& region) const
   {
     std::vector<Candidate> candidates = all_candidates(region);
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return a.score < b.score;
+    });
     for(std::size_t i = 0; i < candidates.size() && i < max_number_of_attempts; ++i) {
       Cut cut;
       for(const auto& ends : candidates[i].ends)
@@ -108,7 +112,8 @@ private:
   void append_candidates(const Region& region, const Metric_tensor_2& mean, Line line, std::vector<Candidate>& result) const
   {
     const std::vector<double> weights = weights_across(region, line);
-    const double total = std::accumulate(weights.begin(), weights.end(), 0.), first = line.offset, width = line.width / number_of_slices;
+    const double total = std::accumulate(weights.begin(), weights.end(), 0.);
+    const double first = line.offset, width = line.width / number_of_slices;
     for(double share : {0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66}) {
       double sum = 0;
       std::size_t i = 0;
@@ -174,6 +179,8 @@ private:
     return true;
   }
 
+  static double cross(const Vector_2& a, const Vector_2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
   // The larger squared cosine of the angles between the way from a place to `p` and the edges of the boundary there; 1 if
   // that way does not lead inside.
   static double squared_cosine(const Region& region, const Region_place& place, const Point_2& p)
@@ -186,13 +193,13 @@ private:
     const Metric_tensor_2& m = here.tensor;
     double result = 0;
     for(const auto& edge : {next, before}) {
-      const double product = m.e() * edge.x() * way.x() + m.f() * (edge.x() * way.y() + edge.y() * way.x()) + m.g() * edge.y() * way.y();
+      const double product = edge.x() * (m.e() * way.x() + m.f() * way.y()) + edge.y() * (m.f() * way.x() + m.g() * way.y());
       if(product > 0)
-        result = (std::max)(result, product * product / (m.squared_length(edge.x(), edge.y()) * m.squared_length(way.x(), way.y())));
+        result = (std::max)(result, square(product) / (m.squared_length(edge.x(), edge.y()) * m.squared_length(way.x(), way.y())));
     }
-    const bool is_left_of_next = next.x() * way.y() - next.y() * way.x() > 0, is_right_of_before = way.x() * before.y() - way.y() * before.x() > 0,
-               is_convex = next.x() * before.y() - next.y() * before.x() > 0;
-    return (is_convex ? is_left_of_next && is_right_of_before : is_left_of_next || is_right_of_before) ? result : 1;
+    const bool is_left_of_next = cross(next, way) > 0, is_right_of_before = cross(way, before) > 0;
+    const bool is_inside = cross(next, before) > 0 ? is_left_of_next && is_right_of_before : is_left_of_next || is_right_of_before;
+    return is_inside ? result : 1;
   }
 
   // Divides a segment: each piece as long as the spacing there. Returns false if that cannot be, or makes but few pieces.
@@ -241,13 +248,14 @@ private:
   }
 
   // the length of `d` at `p` by the spacing
-  double density(const Point_2& p, const typename Kernel::Vector_2& d) const
+  double density(const Point_2& p, const Vector_2& d) const
   {
     const double spacing = m_sketch.spacing(p);
     if(!(spacing > 0))
       return 0;
     const auto position = m_evaluate.position(p, spacing);
-    return std::sqrt(position.point.tensor().squared_length(d.x(), d.y())) / (std::min)(spacing, m_evaluate.spacing_limit(position));
+    return std::sqrt(position.point.tensor().squared_length(d.x(), d.y()))
+           / (std::min)(spacing, m_evaluate.spacing_limit(position));
   }
 
   // Whether the cut keeps away from the boundary, and its chains from each other.
@@ -260,13 +268,18 @@ private:
           if(!is_clear(region, {l, i}, chain, reach))
             return false;
       for(const Chain& other : cut.chains)
-        if(&other != &chain && (are_one(chain.source, other.source) || are_one(chain.source, other.target) || are_one(chain.target, other.target)))
+        if(&other != &chain && (has_end(other, chain.source) || has_end(other, chain.target)))
           return false;
     }
     return true;
   }
 
   static bool are_one(const Region_place& a, const Region_place& b) { return a.loop == b.loop && a.number == b.number; }
+
+  static bool has_end(const Chain& chain, const Region_place& place)
+  {
+    return are_one(chain.source, place) || are_one(chain.target, place);
+  }
 
   // in the domain
   static double largest_clearance(const Chain& chain)
@@ -291,12 +304,13 @@ private:
     const bool is_source = are_one(place, chain.source), is_target = are_one(place, chain.target);
     if(is_source && is_target)
       return false;
-    const Point_2 &p = node(region, place).domain_point, &from = chain.nodes.front().domain_point, &to = chain.nodes.back().domain_point;
+    const Point_2 &p = node(region, place).domain_point, &from = chain.nodes.front().domain_point,
+                  &to = chain.nodes.back().domain_point;
     if(!is_source && !is_target && !are_one(next, chain.source) && !are_one(next, chain.target)
        && do_intersect(Segment_2(p, node(region, next).domain_point), Segment_2(from, to)))
       return false;
     const auto way = to - from, d = p - from;
-    if(is_source || is_target || square(way.x() * d.y() - way.y() * d.x()) > square(reach) * way.squared_length())
+    if(is_source || is_target || square(cross(way, d)) > square(reach) * way.squared_length())
       return true;
     for(std::size_t k = 1; k + 1 < chain.nodes.size(); ++k) {
       const auto away = p - chain.nodes[k].domain_point;

@@ -12,13 +12,13 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_parts.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_sketch.h>
 #include <CGAL/Parametric_surface_mesher/internal/Phase_timer.h>
-#include <CGAL/Parametric_surface_mesher/internal/Triangle_twins.h>
+#include <CGAL/Parametric_surface_mesher/internal/append_meshes.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_by_weight.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <iterator>
 #include <memory>
 #include <numeric>
@@ -30,62 +30,10 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Appends meshes, at the same time. In each the indices from `first_index` on are those of its own points, others are in `mesh`.
-template <class ConcurrencyTag, class Kernel>
-void append_meshes(std::vector<Indexed_mesh<Kernel>>& meshes, std::size_t first_index, Indexed_mesh<Kernel>& mesh)
-{
-  std::vector<std::size_t> points(1, mesh.points.size()), faces(1, mesh.faces.size()); // where each mesh begins
-  for(const auto& other : meshes) {
-    points.push_back(points.back() + other.points.size());
-    faces.push_back(faces.back() + other.faces.size());
-  }
-  mesh.points.resize(points.back());
-  mesh.domain_points.resize(points.back());
-  mesh.faces.resize(faces.back());
-  mesh.twins.resize(3 * faces.front(), std::size_t(Triangle_twins::none));
-  mesh.twins.resize(3 * faces.back());
-  if(mesh.keeps_corner_points)
-    mesh.corner_points.resize(faces.back());
-  for_each_index<ConcurrencyTag>(meshes.size(), [&](std::size_t i) {
-    const Indexed_mesh<Kernel> other = std::move(meshes[i]);
-    std::copy(other.points.begin(), other.points.end(), mesh.points.begin() + points[i]);
-    std::copy(other.domain_points.begin(), other.domain_points.end(), mesh.domain_points.begin() + points[i]);
-    std::copy(other.corner_points.begin(), other.corner_points.end(), mesh.corner_points.begin() + (mesh.keeps_corner_points ? faces[i] : 0));
-    for(std::size_t f = 0; f < other.faces.size(); ++f)
-      for(std::size_t k = 0; k < 3; ++k) {
-        const std::size_t v = other.faces[f][k], twin = other.twins[3 * f + k];
-        mesh.faces[faces[i] + f][k] = v < first_index ? v : v - first_index + points[i];
-        mesh.twins[3 * (faces[i] + f) + k] = twin == Triangle_twins::none ? twin : twin + 3 * faces[i];
-      }
-  });
-}
-
-// Calls a function for 0, ..., n - 1, the heaviest first. Of several exceptions the one with the smallest number is thrown, when
-// all calls are done.
-template <class ConcurrencyTag, class Function>
-void for_each_by_weight(const std::vector<double>& weights, const Function& function)
-{
-  std::vector<std::size_t> order(weights.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return weights[a] > weights[b]; });
-  std::vector<std::exception_ptr> errors(weights.size());
-  for_each_index<ConcurrencyTag>(order.size(), [&](std::size_t i) {
-    try {
-      function(order[i]);
-    }
-    catch(...) {
-      errors[order[i]] = std::current_exception();
-    }
-  });
-  for(const std::exception_ptr& error : errors)
-    if(error)
-      std::rethrow_exception(error);
-}
-
 /*
-Meshes a patch: whole or, if it is large, cut into parts that are meshed at the same time and then joined. The strips along the
-cuts are improved once more with the points of the cuts as inner vertices, so that no trace of them is left. The mesh depends
-neither on the number of threads nor on their order.
+Meshes a patch: whole or, if it is large, cut into parts that are meshed at the same time and then joined. The strips along
+the cuts are improved once more with the points of the cuts as inner vertices, so that no trace of them is left. The mesh
+depends neither on the number of threads nor on their order.
 
 A patch with a chart stays whole, as does one whose loops touch, and one that may have as many vertices as are allowed.
 */
@@ -163,7 +111,8 @@ public:
 
   // see `Patch_mesher`
   template <class ConcurrencyTag>
-  void collect(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords, Parametric_surface_mesh_report& report)
+  void collect(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords,
+               Parametric_surface_mesh_report& report)
   {
     if(m_whole) {
       m_whole->collect(mesh, chords, report);
@@ -178,7 +127,9 @@ public:
     }
     std::move(m_strips.begin(), m_strips.end(), std::back_inserter(m_parts));
     m_strips.clear();
-    for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) { number_shared_vertices(m_parts[i]->triangulation()); });
+    for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) {
+      number_shared_vertices(m_parts[i]->triangulation());
+    });
     for(const auto& part : m_parts)
       part->split_chords(chords);
     const std::size_t first_inner_index = mesh.points.size();
@@ -186,7 +137,8 @@ public:
     std::vector<Parametric_surface_mesh_report> reports(m_parts.size());
     for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) {
       meshes[i].keeps_corner_points = mesh.keeps_corner_points;
-      m_parts[i]->collect(meshes[i], reports[i], Causes{m_parts[i]->refinement(), m_first_index, cause_at_cut()}, first_inner_index);
+      const Causes causes{m_parts[i]->refinement(), m_first_index, cause_at_cut()};
+      m_parts[i]->collect(meshes[i], reports[i], causes, first_inner_index);
       m_parts[i].reset();
     });
     Phase_timer timer(report.seconds.output);
@@ -283,8 +235,10 @@ private:
     for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) { numbers_taken[i] = strips.close(i); });
     m_number_of_inner_vertices += std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
     m_number_of_inner_vertices -= std::accumulate(numbers_taken.begin(), numbers_taken.end(), std::size_t(0));
-    for(std::size_t i = 0; i < strips.border().size(); ++i)
-      m_shared.push_back({strips.border()[i].domain_point(), strips.border()[i].surface_point(), strips.is_on_border(i) ? 0 : not_shared});
+    for(std::size_t i = 0; i < strips.border().size(); ++i) {
+      const auto& point = strips.border()[i];
+      m_shared.push_back({point.domain_point(), point.surface_point(), strips.is_on_border(i) ? 0 : not_shared});
+    }
   }
 
   // when there are no strips
@@ -300,8 +254,9 @@ private:
 
   Unmet_cause cause_at_cut() const { return m_is_stopped ? Unmet_cause::STOPPED : Unmet_cause::NO_BETTER_POINT; }
 
-  void append_reports(const std::vector<Parametric_surface_mesh_report>& reports, const std::vector<Indexed_mesh<Kernel>>& meshes,
-                      std::size_t first_face, Parametric_surface_mesh_report& report) const
+  void append_reports(const std::vector<Parametric_surface_mesh_report>& reports,
+                      const std::vector<Indexed_mesh<Kernel>>& meshes, std::size_t first_face,
+                      Parametric_surface_mesh_report& report) const
   {
     report.seconds += m_report.seconds;
     report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
@@ -309,7 +264,9 @@ private:
       report.seconds += reports[i].seconds;
       report.number_of_replaced_tensors += reports[i].number_of_replaced_tensors;
       report.smallest_angle = (std::min)(report.smallest_angle, reports[i].smallest_angle);
-      report.smallest_angle_off_boundary = (std::min)(report.smallest_angle_off_boundary, reports[i].smallest_angle_off_boundary);
+      report.smallest_angle_off_boundary
+        = (std::min)(report.smallest_angle_off_boundary, reports[i].smallest_angle_off_boundary);
+      report.number_of_collapsed_faces += reports[i].number_of_collapsed_faces;
       for(const auto& unmet : reports[i].unmet)
         report.unmet.push_back({first_face + unmet.face, unmet.criterion, unmet.cause});
     }

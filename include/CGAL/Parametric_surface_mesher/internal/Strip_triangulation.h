@@ -78,8 +78,8 @@ public:
       face->set_neighbor(i, m_faces[std::size_t(across)]);
       return;
     }
-    const Face_handle outer = m_triangulation.tds().create_face(face->vertex(Triangulation::cw(i)), face->vertex(Triangulation::ccw(i)),
-                                                                m_triangulation.infinite_vertex());
+    const Vertex_handle v = face->vertex(Triangulation::cw(i)), w = face->vertex(Triangulation::ccw(i));
+    const Face_handle outer = m_triangulation.tds().create_face(v, w, m_triangulation.infinite_vertex());
     face->set_constraint(i, true);
     outer->set_constraint(2, true);
     m_triangulation.tds().set_adjacency(face, i, outer, 2);
