@@ -172,6 +172,23 @@ TEST(Split_patch_of_odd_shape, graded_spacing)
   EXPECT_GT(CGAL::triangle_mesh_quality(split.mesh).mean_radius_ratio, 0.98);
 }
 
+TEST(Split_patch_of_odd_shape, finely_divided_hole)
+{
+  Domain domain = Domain::rectangle(-1, 1, -1, 1);
+  Curve circle = Curve::circle(Point_2(0.2, 0.1), 0.25);
+  circle.set_number_of_edges(500);
+  domain.add_hole({circle});
+  const Sample flat = make_sample("flat");
+  const Criteria criteria = Criteria().set_max_edge(0.04).set_part_size(part_size);
+  const Result split = mesh_patch(flat.surface, domain, criteria),
+               whole = mesh_patch(flat.surface, domain, Criteria(criteria).set_part_size(0));
+  EXPECT_GE(split.number_of_parts, 4u);
+  check_topology(split.mesh, 1);
+  EXPECT_NEAR(double(whole.report.number_of_faces), double(split.report.number_of_faces), 0.1 * double(whole.report.number_of_faces));
+  EXPECT_GT(split.report.smallest_angle, 36);
+  EXPECT_GT(CGAL::triangle_mesh_quality(split.mesh).mean_radius_ratio, 0.98);
+}
+
 // Poles make a chart.
 TEST(Split_patch_of_odd_shape, patch_with_poles_stays_whole)
 {
