@@ -65,6 +65,7 @@ private:
   double m_gamma = 0.05, m_angle = 30, m_distance = 0;
   double m_size_factor = 0.28, m_closeness = 0, m_growth = 0;
   std::size_t m_max_number_of_vertices = 20000000;
+  std::size_t m_part_size = 100000;
   Curve_deviation m_curve_deviation = Curve_deviation::HEIGHT_OVER_CHORD;
   Mesh_point_placement m_placement = Mesh_point_placement::FRONTAL;
   unsigned int m_max_number_of_sweeps = 2;
@@ -208,6 +209,16 @@ public:
     m_max_number_of_vertices = n;
     return *this;
   }
+
+  /// how many triangles a patch may have, by an estimate, before it is split into parts that are meshed by themselves, at the
+  /// same time where there are threads, and joined. The split depends on the patch and the criteria alone, and leaves no trace
+  /// but in the order of vertices and faces. Patches with collapsed sides, or loops that touch, are not split. 0 for never.
+  /// Default: 100000.
+  Parametric_surface_mesh_criteria& set_part_size(std::size_t number_of_triangles)
+  {
+    m_part_size = number_of_triangles;
+    return *this;
+  }
   /// @}
 
   /// \name Access
@@ -228,6 +239,7 @@ public:
   double improvement_angle() const { return m_improvement_angle; }
   double improvement_time() const { return m_improvement_time; }
   std::size_t max_number_of_vertices() const { return m_max_number_of_vertices; }
+  std::size_t part_size() const { return m_part_size; }
   /// @}
 
   /// how bad a triangle is: the squared ratio of what it has to what it may have, by its worst criterion.

@@ -131,6 +131,9 @@ the vertices.
 
 If the input is refused nothing is added to `tm`.
 
+\tparam ConcurrencyTag `Sequential_tag` (default), `Parallel_tag` or `Parallel_if_available_tag`. With threads the parts of a
+large patch (see `Parametric_surface_mesh_criteria::set_part_size()`) are meshed at the same time; the mesh is the same. What
+that takes is said below, where models are meshed.
 \tparam Surface a model of `ParametricSurface_3`
 \tparam Criteria a model of `ParametricSurfaceMeshCriteria_2`, usually `Parametric_surface_mesh_criteria`
 \tparam TriangleMesh a model of `MutableFaceGraph`
@@ -180,14 +183,15 @@ or are nested wrongly, a domain of area zero, a degenerate surface, or sizes tha
 
 Complexity: `O(n log n)` in practice for `n` triangles.
 */
-template <class Surface, class Criteria, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class Surface, class Criteria, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters>
 Parametric_surface_mesh_report
 make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<typename Surface::Geom_traits>& domain,
                              const Criteria& criteria, TriangleMesh& tm,
                              const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  return mesh_model_into<Sequential_tag>(tm, model_of_patch(surface, domain), criteria, np,
+  return mesh_model_into<ConcurrencyTag>(tm, model_of_patch(surface, domain), criteria, np,
                          [](auto& division) { division.number_along_edges(); });
 }
 
@@ -209,7 +213,7 @@ at the end of the vertices. So the mesh is always manifold; for triangles that s
 The model is checked by `validate()` first.
 
 \tparam ConcurrencyTag `Sequential_tag` (default), `Parallel_tag` or `Parallel_if_available_tag`. With threads the faces are
-meshed at the same time, the largest first; the mesh is the same. It takes oneTBB (as for other CGAL packages, link with the
+meshed at the same time, the largest first, and so are the parts of large ones; the mesh is the same. It takes oneTBB (as for other CGAL packages, link with the
 target `CGAL::TBB_support`), surfaces and a sizing field that can be evaluated by several threads at a time, and
 the memory for all faces' triangulations together. A visitor is called by one thread at a time.
 \tparam Surface a model of `ParametricSurface_3`

@@ -38,12 +38,14 @@ class Patch_collector
   std::unordered_map<Vertex_handle, Point_2> m_boundary_points; // in the domain, of a patch with a chart
   Indexed_mesh<Kernel>& m_mesh;
   Parametric_surface_mesh_report& m_report;
+  std::size_t m_first_inner_index;
   double m_squared_sine = 1, m_squared_sine_off_boundary = 1; // of the smallest angles
 
 public:
+  // `first_inner_index`: of the points of the mesh, 0 unless its first points are elsewhere
   Patch_collector(Triangulation& triangulation, const Patch_chart_2<Kernel>& chart, Indexed_mesh<Kernel>& mesh,
-                  Parametric_surface_mesh_report& report)
-    : m_triangulation(triangulation), m_chart(chart), m_mesh(mesh), m_report(report)
+                  Parametric_surface_mesh_report& report, std::size_t first_inner_index = 0)
+    : m_triangulation(triangulation), m_chart(chart), m_mesh(mesh), m_report(report), m_first_inner_index(first_inner_index)
   {}
 
   // To be called for a patch with a chart: on the way through the chart the domain points of boundary vertices would be
@@ -94,7 +96,7 @@ private:
     for(const auto vertex : m_triangulation.finite_vertex_handles()) {
       if(vertex->is_on_boundary())
         continue;
-      vertex->set_index(m_mesh.points.size());
+      vertex->set_index(m_first_inner_index + m_mesh.points.size());
       m_mesh.points.push_back(vertex->point().surface_point());
       m_mesh.domain_points.push_back(m_chart.domain_point(vertex->point().domain_point()));
     }

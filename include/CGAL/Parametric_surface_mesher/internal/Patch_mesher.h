@@ -3,6 +3,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_MESHER_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_MESHER_H
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_oracle_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
@@ -45,6 +46,7 @@ Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
 template <class Oracle, class Criteria, class Visitor>
 class Patch_mesher
 {
+public:
   typedef typename Oracle::Geom_traits Kernel;
   typedef Charted_surface_3<typename Oracle::Surface> Surface;
   typedef Parametric_surface_oracle_3<Surface, typename Oracle::Metric_field> Charted_oracle;
@@ -52,6 +54,7 @@ class Patch_mesher
   typedef Patch_triangulation_2<Kernel> Triangulation;
   typedef Patch_refinement<Evaluator, Criteria, Visitor> Refinement;
 
+private:
   const Surface m_surface;
   const Charted_oracle m_oracle;
   const Criteria m_criteria;
@@ -62,6 +65,7 @@ class Patch_mesher
   Triangulation m_triangulation;
   std::vector<typename Triangulation::Vertex_handle> m_boundary_vertices;
   Refinement m_refine;
+  const bool m_is_part;
   Parametric_surface_mesh_report m_report;
 
 public:
@@ -72,7 +76,15 @@ public:
       m_criteria(chart_criteria(criteria, m_surface.chart())),
       m_loops(std::move(loops)), m_charted_loops(chart_loops(m_loops, m_surface.chart())),
       m_evaluator(m_oracle, m_criteria, box_of_loops(m_charted_loops)),
-      m_visitor(visitor), m_refine(m_triangulation, m_evaluator, m_criteria, visitor)
+      m_visitor(visitor), m_refine(m_triangulation, m_evaluator, m_criteria, visitor), m_is_part(false)
+  {}
+
+  // A part of a patch without a chart. `box`: of the patch, where its surface may be evaluated.
+  Patch_mesher(const Oracle& oracle, const Criteria& criteria, Boundary_loops<Kernel> loops, Visitor& visitor,
+               const Bbox_2& box)
+    : m_surface(oracle.surface(), Patch_chart_2<Kernel>()), m_oracle(m_surface, oracle.metric(), oracle.singular_points()),
+      m_criteria(criteria), m_loops(std::move(loops)), m_charted_loops(m_loops), m_evaluator(m_oracle, m_criteria, box),
+      m_visitor(visitor), m_refine(m_triangulation, m_evaluator, m_criteria, visitor), m_is_part(true)
   {}
 
   // it refers to itself
@@ -81,10 +93,16 @@ public:
 
   void operator()()
   {
-    Patch_improvement<Evaluator, Refinement> improve(m_triangulation, m_evaluator, m_criteria, m_report.seconds.improvement);
     in_phase("triangulation", m_report.seconds.triangulation, [&] { triangulate(); });
+    refine_and_improve(m_criteria.placement() == Mesh_point_placement::FRONTAL);
+  }
+
+  // \pre there is a triangulation
+  void refine_and_improve(bool has_front)
+  {
+    Patch_improvement<Evaluator, Refinement> improve(m_triangulation, m_evaluator, m_criteria, m_report.seconds.improvement);
     in_phase("refinement", m_report.seconds.refinement, [&] {
-      if(m_criteria.placement() == Mesh_point_placement::FRONTAL)
+      if(has_front)
         m_refine.advance_front();
       m_refine.refine_by_shape();
     });
@@ -96,6 +114,9 @@ public:
       in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_refine.is_bad()); });
   }
 
+  Triangulation& triangulation() { return m_triangulation; }
+  const Refinement& refinement() const { return m_refine; }
+
   // the divided boundary, in the domain
   const Boundary_loops<Kernel>& loops() const { return m_loops; }
 
@@ -106,18 +127,30 @@ public:
   // \pre the boundary vertices are in `mesh` already
   void collect(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords, Parametric_surface_mesh_report& report)
   {
+    split_chords(chords);
+    collect(mesh, report, m_refine, 0);
+  }
+
+  // no two patches are to have the same chord
+  void split_chords(typename Indexed_mesh<Kernel>::Chords& chords)
+  {
+    Phase_timer timer(m_report.seconds.improvement);
+    Chord_splitter<Evaluator> split_chords(m_triangulation, m_evaluator, m_boundary_vertices, chords);
+    split_chords();
+  }
+
+  // `causes`: tells why triangles were left bad, as the refinement does. `first_inner_index`: see `Patch_collector`
+  template <class Causes>
+  void collect(Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report, const Causes& causes,
+               std::size_t first_inner_index)
+  {
     report.seconds += m_report.seconds;
     report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
-    {
-      Phase_timer timer(report.seconds.improvement);
-      Chord_splitter<Evaluator> split_chords(m_triangulation, m_evaluator, m_boundary_vertices, chords);
-      split_chords();
-    }
     Phase_timer timer(report.seconds.output);
-    Patch_collector<Kernel> collect(m_triangulation, m_surface.chart(), mesh, report);
+    Patch_collector<Kernel> collect(m_triangulation, m_surface.chart(), mesh, report, first_inner_index);
     if(!m_surface.chart().is_identity())
       collect.set_domain_points(m_boundary_vertices, without_collapsed_sides(m_loops));
-    collect(m_refine);
+    collect(causes);
   }
 
 private:
@@ -133,7 +166,8 @@ private:
   {
     Boundary_triangulator<Kernel> triangulate(m_triangulation, m_charted_loops);
     triangulate(m_evaluator);
-    m_report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
+    if(!m_is_part) // else they are counted for the patch
+      m_report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
     m_boundary_vertices = triangulate.vertices();
     Pole_ring<Evaluator> insert_rings(m_triangulation, m_evaluator);
     insert_rings(m_loops);

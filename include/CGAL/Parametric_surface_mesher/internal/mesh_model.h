@@ -10,7 +10,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Crossing_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_mesher.h>
+#include <CGAL/Parametric_surface_mesher/internal/Split_patch_mesher.h>
 #include <CGAL/Parametric_surface_mesher/internal/Synchronized_visitor.h>
 #include <CGAL/Parametric_surface_mesher/internal/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
@@ -117,14 +117,14 @@ public:
           with_name_of_face(m_model, f, [&] {
             const Loops loops = division.boundary_loops(f);
             Face_mesher mesher(m_oracles[f], criteria_of_face(f, loops, mesh.points.size()), loops, m_visitor);
-            mesher();
-            collect(f, mesher, mesh);
+            mesher.template run<ConcurrencyTag>();
+            collect<ConcurrencyTag>(f, mesher, mesh);
           });
     m_report.number_of_faces = mesh.faces.size();
   }
 
 private:
-  typedef Patch_mesher<Oracle, Criteria, Synchronized_visitor<Visitor>> Face_mesher;
+  typedef Split_patch_mesher<Oracle, Criteria, Synchronized_visitor<Visitor>> Face_mesher;
 
   typedef Boundary_loops<typename Model::Geom_traits> Loops;
 
@@ -143,7 +143,7 @@ private:
   bool mesh_faces_at_the_same_time(const Division& division, Mesh& mesh)
   {
     std::vector<Task> tasks = tasks_by_size(division);
-    for_each_index<ConcurrencyTag>(tasks.size(), [&](std::size_t i) { run(tasks[i], mesh.points.size()); });
+    for_each_index<ConcurrencyTag>(tasks.size(), [&](std::size_t i) { run<ConcurrencyTag>(tasks[i], mesh.points.size()); });
     std::sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.face < b.face; });
     std::size_t number_of_vertices = mesh.points.size();
     for(const Task& task : tasks)
@@ -154,7 +154,7 @@ private:
     for(Task& task : tasks) {
       if(task.error)
         std::rethrow_exception(task.error);
-      with_name_of_face(m_model, task.face, [&] { collect(task.face, *task.mesher, mesh); });
+      with_name_of_face(m_model, task.face, [&] { collect<ConcurrencyTag>(task.face, *task.mesher, mesh); });
       task.mesher.reset();
     }
     return true;
@@ -173,13 +173,14 @@ private:
     return result;
   }
 
+  template <class ConcurrencyTag>
   void run(Task& task, std::size_t number_of_vertices) noexcept
   {
     try {
       with_name_of_face(m_model, task.face, [&] {
         task.mesher = std::make_unique<Face_mesher>(m_oracles[task.face], criteria_of_face(task.face, task.loops, number_of_vertices),
                                                     task.loops, m_visitor);
-        (*task.mesher)();
+        task.mesher->template run<ConcurrencyTag>();
       });
     }
     catch(...) {
@@ -187,6 +188,7 @@ private:
     }
   }
 
+  template <class ConcurrencyTag>
   void collect(std::size_t number, Face_mesher& mesher, Mesh& mesh)
   {
     const auto& face = m_model.faces()[number];
@@ -194,7 +196,7 @@ private:
     for(const auto& loop : mesher.loops())
       for(const auto& vertex : loop)
         mesh.domain_points[vertex.index] = vertex.domain_point;
-    mesher.collect(mesh, mesh.chords[face.shell], m_report);
+    mesher.template collect<ConcurrencyTag>(mesh, mesh.chords[face.shell], m_report);
     if(face.is_reversed)
       mesh.reverse_faces(first);
     mesh.patches.resize(mesh.faces.size(), number);

@@ -1,0 +1,295 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SPLIT_PATCH_MESHER_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SPLIT_PATCH_MESHER_H
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Cut_strips.h>
+#include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_mesher.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_parts.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_sketch.h>
+#include <CGAL/Parametric_surface_mesher/internal/Phase_timer.h>
+#include <CGAL/Parametric_surface_mesher/internal/append_meshes.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_by_weight.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+/*
+Meshes a patch: whole or, if it is large, cut into parts that are meshed at the same time and then joined. The strips along
+the cuts are improved once more with the points of the cuts as inner vertices, so that no trace of them is left. The mesh
+depends neither on the number of threads nor on their order.
+
+A patch with a chart stays whole, as does one whose loops touch, and one that may have as many vertices as are allowed.
+*/
+template <class Oracle, class Criteria, class Visitor>
+class Split_patch_mesher
+{
+  typedef Patch_mesher<Oracle, Criteria, Visitor> Mesher;
+  typedef typename Mesher::Kernel Kernel;
+  typedef typename Mesher::Evaluator Evaluator;
+  typedef typename Mesher::Triangulation Triangulation;
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef Boundary_loops<Kernel> Loops;
+  typedef Boundary_vertex<Kernel> Shared_vertex; // its index is that in the mesh, once it is there
+
+  static constexpr double triangles_of_part_in_sketch = 300;
+  static const std::size_t not_shared = std::size_t(-1);
+
+  // why triangles of a part, or a strip, were left bad: beside the boundary of the patch, or a cut
+  struct Causes
+  {
+    typedef typename Mesher::Refinement::Quality Quality;
+
+    const typename Mesher::Refinement& refinement;
+    std::size_t first_index;
+    Unmet_cause at_cut;
+
+    const auto& is_bad() const { return refinement.is_bad(); }
+
+    Unmet_cause cause(Face_handle face) const
+    {
+      const Unmet_cause result = refinement.cause(face);
+      if(result == Unmet_cause::BOUNDARY)
+        for(int i = 0; i < 3; ++i)
+          if(face->vertex(i)->is_on_boundary() && face->vertex(i)->index() < first_index)
+            return result;
+      return result == Unmet_cause::BOUNDARY ? at_cut : result;
+    }
+  };
+
+  const Oracle& m_oracle;
+  const Criteria m_criteria;
+  const Loops m_loops;
+  Visitor& m_visitor;
+  std::unique_ptr<Mesher> m_whole; // null if the patch is split
+  std::vector<std::unique_ptr<Mesher>> m_parts, m_strips;
+  std::vector<Shared_vertex> m_shared; // of parts and strips; by index, from the first index on
+  std::size_t m_first_index = 0, m_number_of_inner_vertices = 0;
+  bool m_is_stopped = false;
+  Parametric_surface_mesh_report m_report;
+
+public:
+  // \pre no segments of the loops cross
+  Split_patch_mesher(const Oracle& oracle, const Criteria& criteria, Loops loops, Visitor& visitor)
+    : m_oracle(oracle), m_criteria(criteria), m_loops(std::move(loops)), m_visitor(visitor)
+  {}
+
+  template <class ConcurrencyTag>
+  void run()
+  {
+    if(may_be_split() && mesh_parts<ConcurrencyTag>())
+      return;
+    m_parts.clear();
+    m_strips.clear();
+    m_shared.clear();
+    m_whole = std::make_unique<Mesher>(m_oracle, m_criteria, m_loops, m_visitor);
+    (*m_whole)();
+    m_number_of_inner_vertices = m_whole->number_of_inner_vertices();
+  }
+
+  // the divided boundary, in the domain
+  const Loops& loops() const { return m_loops; }
+
+  std::size_t number_of_inner_vertices() const { return m_number_of_inner_vertices; }
+
+  // see `Patch_mesher`
+  template <class ConcurrencyTag>
+  void collect(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords,
+               Parametric_surface_mesh_report& report)
+  {
+    if(m_whole) {
+      m_whole->collect(mesh, chords, report);
+      return;
+    }
+    for(Shared_vertex& vertex : m_shared) {
+      if(vertex.index == not_shared)
+        continue;
+      vertex.index = mesh.points.size();
+      mesh.points.push_back(vertex.surface_point);
+      mesh.domain_points.push_back(vertex.domain_point);
+    }
+    std::move(m_strips.begin(), m_strips.end(), std::back_inserter(m_parts));
+    m_strips.clear();
+    for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) {
+      number_shared_vertices(m_parts[i]->triangulation());
+    });
+    for(const auto& part : m_parts)
+      part->split_chords(chords);
+    const std::size_t first_inner_index = mesh.points.size();
+    std::vector<Indexed_mesh<Kernel>> meshes(m_parts.size());
+    std::vector<Parametric_surface_mesh_report> reports(m_parts.size());
+    for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) {
+      meshes[i].keeps_corner_points = mesh.keeps_corner_points;
+      const Causes causes{m_parts[i]->refinement(), m_first_index, cause_at_cut()};
+      m_parts[i]->collect(meshes[i], reports[i], causes, first_inner_index);
+      m_parts[i].reset();
+    });
+    Phase_timer timer(report.seconds.output);
+    append_reports(reports, meshes, mesh.faces.size(), report);
+    append_meshes<ConcurrencyTag>(meshes, first_inner_index, mesh);
+  }
+
+private:
+  // Cheap tests. The number of triangles is bounded by that of the boundary's edges unless spacing is much smaller inside.
+  bool may_be_split() const
+  {
+    const double number_of_edges = double(number_of_boundary_vertices());
+    if(m_criteria.part_size() == 0 || !m_oracle.singular_points().empty()
+       || 0.5 * number_of_edges * number_of_edges < double(m_criteria.part_size()))
+      return false;
+    std::set<typename Kernel::Point_2> points;
+    for(const auto& loop : m_loops)
+      for(const auto& vertex : loop)
+        if(!points.insert(vertex.domain_point).second)
+          return false;
+    return true;
+  }
+
+  // Returns false if there are no parts, or there would be too many vertices.
+  template <class ConcurrencyTag>
+  bool mesh_parts()
+  {
+    const std::unique_ptr<Patch_parts<Kernel>> parts = split();
+    if(parts->regions().size() < 2)
+      return false;
+    std::vector<double> weights;
+    for(const auto& region : parts->regions())
+      weights.push_back(region.weight());
+    const double total = std::accumulate(weights.begin(), weights.end(), 0.);
+    if(total / 2 > 2 * double(m_criteria.max_number_of_vertices()))
+      return false;
+    const Bbox_2 box = box_of_loops(m_loops);
+    m_first_index = parts->first_index();
+    m_parts.resize(weights.size());
+    for_each_by_weight<ConcurrencyTag>(weights, [&](std::size_t i) {
+      m_parts[i] = make_mesher(parts->regions()[i].boundary_loops(), 0.9 * weights[i] / total, box);
+      (*m_parts[i])();
+    });
+    for(const auto& part : m_parts) {
+      m_number_of_inner_vertices += part->number_of_inner_vertices();
+      m_is_stopped = m_is_stopped || part->refinement().is_stopped();
+    }
+    if(m_is_stopped)
+      share_cuts(*parts);
+    else
+      join_parts<ConcurrencyTag>(*parts, box);
+    for(const Shared_vertex& vertex : m_shared)
+      m_number_of_inner_vertices += vertex.index != not_shared;
+    return m_number_of_inner_vertices + number_of_boundary_vertices() < m_criteria.max_number_of_vertices();
+  }
+
+  std::unique_ptr<Patch_parts<Kernel>> split()
+  {
+    Phase_timer timer(m_report.seconds.triangulation);
+    const typename Mesher::Surface surface(m_oracle.surface(), Patch_chart_2<Kernel>());
+    const typename Mesher::Charted_oracle oracle(surface, m_oracle.metric());
+    const Evaluator evaluate(oracle, m_criteria, box_of_loops(m_loops));
+    const double coarseness = (std::max)(2., std::sqrt(double(m_criteria.part_size()) / triangles_of_part_in_sketch));
+    const Patch_sketch<Evaluator> sketch(evaluate, m_criteria, m_loops, coarseness);
+    m_report.number_of_replaced_tensors = sketch.number_of_replaced_tensors();
+    return std::make_unique<Patch_parts<Kernel>>(evaluate, sketch, m_loops, double(m_criteria.part_size()));
+  }
+
+  // `share`: of the time for improvement
+  std::unique_ptr<Mesher> make_mesher(Loops loops, double share, const Bbox_2& box) const
+  {
+    Criteria criteria = m_criteria;
+    criteria.set_improvement_time(share * m_criteria.improvement_time());
+    return std::make_unique<Mesher>(m_oracle, criteria, std::move(loops), m_visitor, box);
+  }
+
+  template <class ConcurrencyTag>
+  void join_parts(const Patch_parts<Kernel>& parts, const Bbox_2& box)
+  {
+    std::vector<Triangulation*> triangulations;
+    for(const auto& part : m_parts)
+      triangulations.push_back(&part->triangulation());
+    Cut_strips<Kernel> strips(parts, std::move(triangulations));
+    for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) { strips.take_out(i); });
+    strips.connect();
+    m_strips.resize(strips.sizes().size());
+    std::vector<std::size_t> numbers(m_strips.size()), numbers_taken(m_parts.size());
+    for_each_by_weight<ConcurrencyTag>(strips.sizes(), [&](std::size_t i) {
+      m_strips[i] = make_mesher({}, 0.1 / double(m_strips.size()), box);
+      const std::size_t number_on_border = strips.triangulate(i, m_strips[i]->triangulation());
+      m_strips[i]->refine_and_improve(false);
+      numbers[i] = m_strips[i]->number_of_inner_vertices() - number_on_border;
+    });
+    for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) { numbers_taken[i] = strips.close(i); });
+    m_number_of_inner_vertices += std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
+    m_number_of_inner_vertices -= std::accumulate(numbers_taken.begin(), numbers_taken.end(), std::size_t(0));
+    for(std::size_t i = 0; i < strips.border().size(); ++i) {
+      const auto& point = strips.border()[i];
+      m_shared.push_back({point.domain_point(), point.surface_point(), strips.is_on_border(i) ? 0 : not_shared});
+    }
+  }
+
+  // when there are no strips
+  void share_cuts(const Patch_parts<Kernel>& parts)
+  {
+    m_shared.resize(parts.number_of_cut_points());
+    for(const auto& region : parts.regions())
+      for(const auto& loop : region.loops)
+        for(const Shared_vertex& vertex : loop)
+          if(vertex.index >= m_first_index)
+            m_shared[vertex.index - m_first_index] = {vertex.domain_point, vertex.surface_point, 0};
+  }
+
+  Unmet_cause cause_at_cut() const { return m_is_stopped ? Unmet_cause::STOPPED : Unmet_cause::NO_BETTER_POINT; }
+
+  void append_reports(const std::vector<Parametric_surface_mesh_report>& reports,
+                      const std::vector<Indexed_mesh<Kernel>>& meshes, std::size_t first_face,
+                      Parametric_surface_mesh_report& report) const
+  {
+    report.seconds += m_report.seconds;
+    report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
+    for(std::size_t i = 0; i < reports.size(); first_face += meshes[i].faces.size(), ++i) {
+      report.seconds += reports[i].seconds;
+      report.number_of_replaced_tensors += reports[i].number_of_replaced_tensors;
+      report.smallest_angle = (std::min)(report.smallest_angle, reports[i].smallest_angle);
+      report.smallest_angle_off_boundary
+        = (std::min)(report.smallest_angle_off_boundary, reports[i].smallest_angle_off_boundary);
+      report.number_of_collapsed_faces += reports[i].number_of_collapsed_faces;
+      for(const auto& unmet : reports[i].unmet)
+        report.unmet.push_back({first_face + unmet.face, unmet.criterion, unmet.cause});
+    }
+  }
+
+  void number_shared_vertices(Triangulation& triangulation) const
+  {
+    for(Vertex_handle vertex : triangulation.finite_vertex_handles())
+      if(vertex->is_on_boundary() && vertex->index() >= m_first_index)
+        vertex->set_index(m_shared[vertex->index() - m_first_index].index);
+  }
+
+  std::size_t number_of_boundary_vertices() const
+  {
+    std::size_t result = 0;
+    for(const auto& loop : m_loops)
+      result += loop.size();
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SPLIT_PATCH_MESHER_H
