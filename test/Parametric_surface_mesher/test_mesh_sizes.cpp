@@ -81,6 +81,18 @@ TEST(Mesh_sizes, closeness_divides_the_sides_of_a_narrow_patch)
   EXPECT_LT(mesh.number_of_faces(), 200u);
 }
 
+TEST(Mesh_sizes, closeness_grades_the_sides_of_a_patch)
+{
+  // the side at v = 0 has pieces of 2, that at v = 1.5 has pieces of 0.02: both are short enough for the width
+  const Sample flat = make_sample("flat");
+  auto strip = sample_surfaces::Domain::rectangle(0, 10, 0, 1.5);
+  strip.loops().front()[2].set_number_of_edges(500);
+  Mesh mesh;
+  const Report report = add_patch(flat.surface, strip, Criteria().set_max_edge(2).set_min_edge(0.01).set_closeness(1.8), mesh);
+  EXPECT_GT(report.number_of_edges_split_by_closeness, 0u);
+  EXPECT_GE(report.smallest_angle, 20);
+}
+
 TEST(Mesh_sizes, closeness_keeps_the_minimum_edge)
 {
   const Sample flat = make_sample("flat");

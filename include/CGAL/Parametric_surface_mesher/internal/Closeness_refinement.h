@@ -68,7 +68,8 @@ private:
 };
 
 // Where a face is narrower than the pieces of its boundary are long, triangles across it are flat, and no point inside can
-// help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop.
+// help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop, and
+// those so much longer than the pieces across the face that triangles cannot grow from the ones to the others.
 template <class Oracle>
 class Closeness_refinement
 {
@@ -83,6 +84,7 @@ class Closeness_refinement
 
   static const int max_number_of_rounds = 16;
   static constexpr double max_ratio = 2.5;      // of neighbours on a loop
+  static constexpr double gradation = 1;        // by how much longer pieces across a face may be per distance
   static constexpr double hopeless_share = 0.25; // of the minimum edge: what is narrower stays as it is
 
   Division& m_division;
@@ -125,11 +127,22 @@ private:
     Boundary_triangulator<Kernel> triangulate(triangulation, charted_loops);
     triangulate(evaluator);
     auto vertices = triangulate.vertices().begin();
-    for(std::size_t l = 0; l < loops.size(); ++l) {
-      const std::vector<Vertex_handle> loop(vertices, vertices + charted_loops[l].size());
-      vertices += charted_loops[l].size();
-      collect(face, l, segments(loops[l], loop.size()), loop, triangulation, pieces);
+    std::vector<std::vector<Vertex_handle>> vertices_of_loops;
+    for(const auto& loop : charted_loops) {
+      vertices_of_loops.emplace_back(vertices, vertices + loop.size());
+      vertices += loop.size();
+      set_spacings(vertices_of_loops.back());
     }
+    for(std::size_t l = 0; l < loops.size(); ++l)
+      collect(face, l, segments(loops[l], charted_loops[l].size()), vertices_of_loops[l], triangulation, pieces);
+  }
+
+  // Each vertex gets the length of the shorter of the pieces at it.
+  static void set_spacings(const std::vector<Vertex_handle>& loop)
+  {
+    const std::size_t n = loop.size();
+    for(std::size_t i = 0; i < n; ++i)
+      loop[i]->set_spacing((std::min)(length(loop[(i + n - 1) % n], loop[i]), length(loop[i], loop[(i + 1) % n])));
   }
 
   // The numbers of the segments of a loop in the domain; a chart leaves out those between copies of a pole.
@@ -152,7 +165,8 @@ private:
       if(!(l >= 2 * m_criteria.min_edge()))
         continue;
       const double neighbor = (std::min)(length(loop[(i + n - 1) % n], v), length(w, loop[(i + 2) % n]));
-      if(is_longer(l, max_ratio * neighbor) || is_longer(l, m_criteria.closeness() * width(v, w, triangulation))) {
+      if(is_longer(l, max_ratio * neighbor) || is_longer(l, m_criteria.closeness() * width(v, w, triangulation))
+         || l > (std::min)(graded_size(v, triangulation), graded_size(w, triangulation))) {
         const Piece piece = m_division.piece(face, number, segments[i]);
         if(m_division.can_be_split(piece))
           pieces.insert(piece);
@@ -163,6 +177,25 @@ private:
   bool is_longer(double length, double limit) const
   {
     return length > limit && limit > hopeless_share * m_criteria.min_edge();
+  }
+
+  // How long a piece at `v` may be for the sake of the pieces that edges across the face reach from there: as long as these,
+  // and longer by a share of the distance. Where the face is narrower than the minimum edge this would not help.
+  double graded_size(Vertex_handle v, const Triangulation& triangulation) const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    auto face = triangulation.incident_faces(v);
+    const auto first = face;
+    do
+      if(face->is_in_domain())
+        for(int i : {triangulation.cw(face->index(v)), triangulation.ccw(face->index(v))}) {
+          const Vertex_handle x = face->vertex(i);
+          const double d = distance(v, x);
+          if(!face->is_constrained(3 - i - face->index(v)) && d >= m_criteria.min_edge())
+            result = (std::min)(result, (std::max)(x->spacing(), m_criteria.min_edge()) + gradation * d);
+        }
+    while(++face != first);
+    return result;
   }
 
   // The distance in space of the segment from the third corner of its triangle. (Not from its line: the triangles of a
@@ -183,6 +216,15 @@ private:
       result = (std::min)(result, std::sqrt(squared_distance(f->vertex(side.second)->point().surface_point(), segment)));
     }
     return result;
+  }
+
+  // On the surface: points on either side of a closed surface are far from each other, however close they are in space.
+  static double distance(Vertex_handle v, Vertex_handle w)
+  {
+    const auto &p = v->point(), &q = w->point();
+    const double du = q.x() - p.x(), dv = q.y() - p.y();
+    const double in_domain = std::sqrt((0.5 * (p.tensor() + q.tensor())).squared_length(du, dv));
+    return (std::max)(in_domain, length(v, w));
   }
 
   static double length(Vertex_handle v, Vertex_handle w)
