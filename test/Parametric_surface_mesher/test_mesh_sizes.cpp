@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -91,6 +92,32 @@ TEST(Mesh_sizes, closeness_grades_the_sides_of_a_patch)
   const Report report = add_patch(flat.surface, strip, Criteria().set_max_edge(2).set_min_edge(0.01).set_closeness(1.8), mesh);
   EXPECT_GT(report.number_of_edges_split_by_closeness, 0u);
   EXPECT_GE(report.smallest_angle, 20);
+}
+
+// the number of triangles with an angle below some degrees
+std::size_t number_of_sharp_triangles(const Mesh& mesh, double degrees)
+{
+  std::size_t result = 0;
+  for(const auto face : mesh.faces()) {
+    double smallest = 180;
+    for(const auto h : mesh.halfedges_around_face(mesh.halfedge(face)))
+      smallest = (std::min)(smallest, CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                                              mesh.point(mesh.target(mesh.next(h)))));
+    result += smallest < degrees;
+  }
+  return result;
+}
+
+TEST(Mesh_sizes, the_tip_of_a_cusp_is_one_triangle)
+{
+  typedef sample_surfaces::Domain Domain;
+  typedef Domain::Curve Curve;
+  const auto parabola = [](auto t) { return std::make_pair(1 - t, 0.25 * (1 - t) * (1 - t)); };
+  const Domain domain(Domain::Loop{Curve::segment({0, 0}, {1, 0}), Curve::segment({1, 0}, {1, 0.25}),
+                                   Curve::from_function(parabola, 0, 1)});
+  Mesh mesh;
+  add_patch(make_sample("flat").surface, domain, Criteria().set_max_edge(0.3).set_min_edge(0.02).set_closeness(1.8), mesh);
+  EXPECT_LE(number_of_sharp_triangles(mesh, 15), 1u);
 }
 
 TEST(Mesh_sizes, closeness_keeps_the_minimum_edge)

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -69,7 +70,8 @@ private:
 
 // Where a face is narrower than the pieces of its boundary are long, triangles across it are flat, and no point inside can
 // help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop, and
-// those so much longer than the pieces across the face that triangles cannot grow from the ones to the others.
+// those so much longer than the pieces across the face that triangles cannot grow from the ones to the others. The pieces at
+// the tip of a cusp stay.
 template <class Oracle>
 class Closeness_refinement
 {
@@ -82,9 +84,17 @@ class Closeness_refinement
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Face_handle Face_handle;
 
+  struct Measured_piece
+  {
+    Piece piece;
+    double length;
+  };
+
   static const int max_number_of_rounds = 16;
   static constexpr double max_ratio = 2.5;      // of neighbours on a loop
   static constexpr double gradation = 1;        // by how much longer pieces across a face may be per distance
+  static constexpr double largest_tip = 4;      // width of a cusp's tip, in minimum edges
+  static constexpr double sharpness = 0.32;     // width of a cusp's tip over its length
   static constexpr double hopeless_share = 0.25; // of the minimum edge: what is narrower stays as it is
 
   Division& m_division;
@@ -108,6 +118,8 @@ public:
       for(std::size_t face : faces)
         if(!m_division.model().faces()[face].loops.empty())
           with_name_of_face(m_division.model(), face, [&] { collect(face, pieces); });
+      for(auto piece = pieces.begin(); piece != pieces.end();)
+        piece = m_division.is_kept(*piece) ? pieces.erase(piece) : std::next(piece);
       number_of_splits += pieces.size();
       m_division.split(pieces);
       faces = m_division.faces_at(pieces);
@@ -171,6 +183,35 @@ private:
         if(m_division.can_be_split(piece))
           pieces.insert(piece);
       }
+    }
+    for(std::size_t i = 0; i < n; ++i) {
+      const std::size_t before = (i + n - 1) % n;
+      if(is_tip(loop[before], loop[i], loop[(i + 1) % n], triangulation))
+        even_out_tip({m_division.piece(face, number, segments[before]), length(loop[before], loop[i])},
+                     {m_division.piece(face, number, segments[i]), length(loop[i], loop[(i + 1) % n])}, pieces);
+    }
+  }
+
+  // Whether the triangle of three vertices of a loop is the tip of a cusp, where two edges of the model meet.
+  bool is_tip(Vertex_handle u, Vertex_handle v, Vertex_handle w, const Triangulation& triangulation) const
+  {
+    const double base = length(u, w);
+    return base > 0 && base < largest_tip * m_criteria.min_edge()
+           && base < sharpness * (std::min)(length(u, v), length(v, w)) && triangulation.is_face(u, v, w)
+           && triangulation.geom_traits().orientation_2_object()(u->point(), v->point(), w->point()) == LEFT_TURN;
+  }
+
+  // In a tip the smallest angle is that of its corner, if the two pieces have much the same length. Halving both would but
+  // add triangles as sharp as that.
+  void even_out_tip(const Measured_piece& a, const Measured_piece& b, std::set<Piece>& pieces) const
+  {
+    const Measured_piece &longer = a.length > b.length ? a : b, &shorter = a.length > b.length ? b : a;
+    if(longer.length > 1.4 * shorter.length && longer.length >= 2 * m_criteria.min_edge()
+       && m_division.can_be_split(longer.piece))
+      pieces.insert(longer.piece);
+    else {
+      m_division.keep(a.piece);
+      m_division.keep(b.piece);
     }
   }
 
