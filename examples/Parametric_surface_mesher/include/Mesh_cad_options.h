@@ -54,6 +54,8 @@ const char* const conclusion =
   "The numbers of --json are, among others:\n"
   "  faces, meshed_faces, left_out  faces of the shape, those in the mesh, and the others\n"
   "  triangles, vertices, min_angle, mean_min_angle, mean_radius_ratio\n"
+  "  min_angle_apart_from_corners   the smallest angle but for those in corners of faces below 30\n"
+  "                                 degrees, where the corner is not divided\n"
   "  below_10, below_10_at_corners  triangles with an angle below 10 degrees, and those of them\n"
   "                                 with that angle in a corner of a face that is as sharp\n"
   "  tiny_edges, sliver_faces       edges shorter than 1/1000 of the diagonal; faces with\n"

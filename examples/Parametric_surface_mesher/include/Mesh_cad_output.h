@@ -129,6 +129,7 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"border_edges", m.border_edges},
           {"components", q.number_of_connected_components},
           {"min_angle", q.min_angle},
+          {"min_angle_apart_from_corners", m.min_angle_apart},
           {"mean_min_angle", q.mean_min_angle},
           {"mean_radius_ratio", q.mean_radius_ratio},
           {"below_10", m.below_10},
@@ -203,8 +204,8 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
     out << (q.is_closed ? ", ALTHOUGH THE SHAPE IS NOT CLOSED" : ", ALTHOUGH THE SHAPE IS CLOSED");
   out << "\n";
   print_shape(out, result);
-  out << "  smallest angle " << q.min_angle << " degrees, its mean " << q.mean_min_angle << "; "
-      << mesh_patch::plural(m.below_10, "triangle") << " below 10 degrees, " << m.below_10_at_corners
+  out << "  smallest angle " << q.min_angle << " degrees, " << m.min_angle_apart << " apart from sharp corners, its mean "
+      << q.mean_min_angle << "; " << mesh_patch::plural(m.below_10, "triangle") << " below 10 degrees, " << m.below_10_at_corners
       << " of them in corners as sharp\n";
   if(!m.tiny_edges.empty() || !m.sliver_faces.empty())
     out << "  " << mesh_patch::plural(m.tiny_edges.size(), "tiny edge") << ", "
