@@ -50,7 +50,7 @@ std::string cells(const std::string& file_name)
   options.is_quiet = true;
   Mesh_cad_result result;
   mesh_cad::mesh_and_measure(options, result);
-  const TopoDS_Shape shape = mesh_cad::read_shape(options);
+  const TopoDS_Shape shape = mesh_cad::read_shape(options, result);
   const Cad_mesh_verdict verdict = Cad_mesh_judge(shape, judge_input(result))();
   const double seconds = result.model_seconds + result.meshing_seconds, triangles = double(result.quality.number_of_faces);
   std::ostringstream out;
@@ -58,6 +58,7 @@ std::string cells(const std::string& file_name)
       << (verdict.is_closed() ? "yes" : "no") << "/" << (verdict.is_shape_closed ? "yes" : "no") << "\t"
       << verdict_text(result, verdict) << "\t" << result.quality.number_of_faces << "\t" << text("%.2f", seconds) << "\t"
       << text("%.0fk", triangles / seconds / 1000) << "\t" << text("%.3g", result.quality.min_angle) << "\t"
+      << text("%.3g", result.measures.min_angle_apart) << "\t"
       << text("%.3g", 100. * result.measures.below_10 / triangles) << "\t"
       << text("%.3g", 100. * (result.measures.below_10 - result.measures.below_10_at_corners) / triangles) << "\t"
       << text("%.1f", result.quality.mean_min_angle) << "\t" << text("%.2e", verdict.deviation);
@@ -129,8 +130,8 @@ int main(int argc, char** argv)
     std::cerr << "Usage: cad_models [--markdown] FOLDER\n";
     return 2;
   }
-  const Text_table::Line titles = {"model", "faces", "closed", "verdict", "triangles", "CPU s", "per s", "min angle", "% <10",
-                                   "not at corners", "mean min angle", "deviation"};
+  const Text_table::Line titles = {"model", "faces", "closed", "verdict", "triangles", "CPU s", "per s", "min angle", "apart",
+                                   "% <10", "not at corners", "mean min angle", "deviation"};
   Text_table table(titles);
   for(const std::string& file : files_in(arguments.back()))
     table.add_line(line(file, titles.size()));

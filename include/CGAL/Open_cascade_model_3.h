@@ -43,6 +43,13 @@ struct Open_cascade_model_3
     double tolerance;       ///< the largest tolerance of the edge and its vertices
   };
 
+  /// an edge that a face has inside, not as a boundary: the mesh does not follow it.
+  struct Inner_edge
+  {
+    std::size_t shape_edge; ///< the number of the edge in the shape
+    std::size_t shape_face; ///< the number of the face
+  };
+
   Model model; ///< its first edges are those of the shape, in their order; then come collapsed ones that the shape lacks
   std::vector<std::size_t> shape_faces; ///< for each face of the model, its number in the shape; a face between two shells appears twice
   std::size_t number_of_shape_faces = 0;
@@ -51,6 +58,7 @@ struct Open_cascade_model_3
   bool is_shape_closed = true; ///< whether each edge has two uses in each shell that it is in, as far as faces lie on it
 
   std::vector<Left_out_face> left_out; ///< faces that could not be built
+  std::vector<Inner_edge> inner_edges; ///< edges with the orientation `TopAbs_INTERNAL` or `TopAbs_EXTERNAL` in a face
   std::vector<Gap> gaps;               ///< of edges that are less exact than the shape says
   double largest_gap = 0;              ///< the largest distance between an edge and the image of one of its curves, of all edges
   std::size_t number_of_rebuilt_curves = 0; ///< curves in domains that were missing, or far off, and made anew by projection

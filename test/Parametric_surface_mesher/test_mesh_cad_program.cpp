@@ -15,6 +15,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_Plane.hxx>
+#include <IGESControl_Writer.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
@@ -79,7 +80,7 @@ TEST_F(Mesh_cad_program, helps)
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err, "");
   for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--distance", "--relative-distance", "--angle", "--closeness", "--growth", "--threads",
-                            "--face-size", "--edge-size", "--faces", "--unit", "--heal", "--out", "--picture", "--json", "--quiet",
+                            "--face-size", "--edge-size", "--sphere-size", "--sew", "--faces", "--unit", "--heal", "--out", "--picture", "--json", "--quiet",
                             ".vtu", ".msh", ".inp", ".step", ".iges", ".brep", "Exit status"})
     EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
@@ -183,6 +184,37 @@ TEST_F(Mesh_cad_program, leaves_out_faces_that_cannot_be_meshed)
   const auto numbers = nlohmann::json::parse(content(file("dirty.json")));
   ASSERT_EQ(numbers["left_out"].size(), 1u);
   EXPECT_EQ(numbers["left_out"][0]["face"], 1);
+}
+
+TEST_F(Mesh_cad_program, sews_the_faces_of_an_iges_file)
+{
+  IGESControl_Writer iges;
+  iges.AddShape(box());
+  iges.Write(file("box.iges").c_str());
+  const nlohmann::json sewn = json("box.iges --quiet --out sewn.off"), loose = json("box.iges --quiet --sew 0");
+  EXPECT_EQ(sewn["sewn_edges"], 12);
+  EXPECT_EQ(sewn["lost_faces"], 0);
+  EXPECT_EQ(sewn["closed"], true);
+  EXPECT_EQ(sewn["shape_closed"], true);
+  EXPECT_NEAR(volume("sewn.off"), 6, 1e-6);
+  EXPECT_EQ(loose["sewn_edges"], 0);
+  EXPECT_EQ(loose["closed"], false);
+  EXPECT_EQ(json("box.brep --quiet")["sewn_edges"], 0); // has common edges already
+  expect_refused("box.iges --sew -1", "--sew");
+}
+
+TEST_F(Mesh_cad_program, spheres_ask_for_small_edges)
+{
+  const auto mean_area = [this](const std::string& options) {
+    const nlohmann::json numbers = json("box.brep --quiet --max-edge 0.5 " + options);
+    return numbers["area"].get<double>() / numbers["triangles"].get<double>();
+  };
+  const double small = mean_area("--sphere-size 0,0,0,100:0.1"); // all of it
+  EXPECT_NEAR(small, 0.25 * std::sqrt(3.) * 0.01, 0.003);
+  EXPECT_LT(mean_area("--sphere-size 0,0,0,0.2:0.05"), 0.8 * mean_area(""));
+  EXPECT_LT(mean_area("--sphere-size 0,0,0,0.2:0.05 --sphere-size 1,2,3,0.2:0.05"), 0.8 * mean_area("--sphere-size 0,0,0,0.2:0.05"));
+  for(const char* sphere : {"0,0,0:1", "0,0,0,1", "0,0,0,1:0", "0,0,0,-1:1", "0,0,0,1:x", "0,0,0,1:1:1", "0,0,nan,1:1", "0,0,0,1:1e-9"})
+    expect_refused(std::string("box.brep --sphere-size ") + sphere, "--sphere-size");
 }
 
 TEST_F(Mesh_cad_program, heals) { EXPECT_EQ(run("box.step --heal --out healed.off").status, 0); }

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -79,6 +80,44 @@ TEST(Mesh_sizes, closeness_divides_the_sides_of_a_narrow_patch)
   EXPECT_GT(with.number_of_edges_split_by_closeness, 0u);
   EXPECT_GE(with.smallest_angle, 25);
   EXPECT_LT(mesh.number_of_faces(), 200u);
+}
+
+TEST(Mesh_sizes, closeness_grades_the_sides_of_a_patch)
+{
+  // the side at v = 0 has pieces of 2, that at v = 1.5 has pieces of 0.02: both are short enough for the width
+  const Sample flat = make_sample("flat");
+  auto strip = sample_surfaces::Domain::rectangle(0, 10, 0, 1.5);
+  strip.loops().front()[2].set_number_of_edges(500);
+  Mesh mesh;
+  const Report report = add_patch(flat.surface, strip, Criteria().set_max_edge(2).set_min_edge(0.01).set_closeness(1.8), mesh);
+  EXPECT_GT(report.number_of_edges_split_by_closeness, 0u);
+  EXPECT_GE(report.smallest_angle, 20);
+}
+
+// the number of triangles with an angle below some degrees
+std::size_t number_of_sharp_triangles(const Mesh& mesh, double degrees)
+{
+  std::size_t result = 0;
+  for(const auto face : mesh.faces()) {
+    double smallest = 180;
+    for(const auto h : mesh.halfedges_around_face(mesh.halfedge(face)))
+      smallest = (std::min)(smallest, CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                                              mesh.point(mesh.target(mesh.next(h)))));
+    result += smallest < degrees;
+  }
+  return result;
+}
+
+TEST(Mesh_sizes, the_tip_of_a_cusp_is_one_triangle)
+{
+  typedef sample_surfaces::Domain Domain;
+  typedef Domain::Curve Curve;
+  const auto parabola = [](auto t) { return std::make_pair(1 - t, 0.25 * (1 - t) * (1 - t)); };
+  const Domain domain(Domain::Loop{Curve::segment({0, 0}, {1, 0}), Curve::segment({1, 0}, {1, 0.25}),
+                                   Curve::from_function(parabola, 0, 1)});
+  Mesh mesh;
+  add_patch(make_sample("flat").surface, domain, Criteria().set_max_edge(0.3).set_min_edge(0.02).set_closeness(1.8), mesh);
+  EXPECT_LE(number_of_sharp_triangles(mesh, 15), 1u);
 }
 
 TEST(Mesh_sizes, closeness_keeps_the_minimum_edge)

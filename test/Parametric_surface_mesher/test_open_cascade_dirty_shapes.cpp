@@ -5,7 +5,9 @@
 #include "open_cascade_test_helpers.h"
 
 #include <CGAL/repair_open_cascade_shape.h>
+#include <CGAL/sew_open_cascade_shape.h>
 
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -18,6 +20,9 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax2.hxx>
@@ -233,6 +238,42 @@ TEST(Dirty_shapes, an_empty_shape_is_refused)
 {
   EXPECT_THROW(CGAL::make_model_of_open_cascade_shape(TopoDS_Shape()), CGAL::Parametric_surface_mesh_error);
   EXPECT_THROW(CGAL::make_model_of_open_cascade_shape(compound_of({})), CGAL::Parametric_surface_mesh_error);
+}
+
+TEST(Dirty_shapes, loose_faces_are_sewn)
+{
+  std::vector<TopoDS_Shape> faces;
+  for(TopExp_Explorer face(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), TopAbs_FACE); face.More(); face.Next())
+    faces.push_back(BRepBuilderAPI_Copy(face.Current()).Shape());
+  const TopoDS_Shape loose = compound_of(faces);
+  EXPECT_FALSE(Meshed_shape(loose).quality.is_closed);
+  const CGAL::Sewn_open_cascade_shape sewn = CGAL::sew_open_cascade_shape(loose, 1e-5);
+  EXPECT_EQ(sewn.number_of_sewn_edges, 12u);
+  EXPECT_EQ(sewn.number_of_free_edges, 0u);
+  EXPECT_EQ(sewn.number_of_lost_faces, 0u);
+  const Meshed_shape meshed(sewn.shape);
+  EXPECT_TRUE(meshed.quality.is_closed);
+  EXPECT_NEAR(std::abs(meshed.volume()), 6, 1e-9);
+  EXPECT_THROW(CGAL::sew_open_cascade_shape(loose, 0), CGAL::Parametric_surface_mesh_error);
+}
+
+TEST(Dirty_shapes, edges_inside_faces_are_named)
+{
+  TopoDS_Face face = face_of(polygon({gp_Pnt(0, 0, 0), gp_Pnt(4, 0, 0), gp_Pnt(4, 4, 0), gp_Pnt(0, 4, 0)}), new Geom_Plane(gp_Pln()));
+  const TopoDS_Shape scratch = BRepBuilderAPI_MakeEdge(gp_Pnt(1, 1, 0), gp_Pnt(3, 2, 0)).Edge();
+  TopoDS_Wire wire;
+  BRep_Builder builder;
+  builder.MakeWire(wire);
+  builder.Add(wire, scratch.Oriented(TopAbs_INTERNAL));
+  builder.Add(face, wire);
+  const Meshed_shape meshed(face);
+  EXPECT_TRUE(meshed.shape.left_out.empty());
+  ASSERT_EQ(meshed.shape.inner_edges.size(), 1u);
+  EXPECT_EQ(meshed.shape.inner_edges[0].shape_face, 0u);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(face, TopAbs_EDGE, edges);
+  EXPECT_TRUE(edges(int(meshed.shape.inner_edges[0].shape_edge) + 1).IsSame(scratch));
+  EXPECT_NEAR(meshed.quality.area, 16, 1e-9);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #ifndef MESH_CAD_OPTIONS_H
 #define MESH_CAD_OPTIONS_H
 
+#include "Size_spheres.h"
 #include "Usage_error.h"
 
 #include <boost/program_options.hpp>
@@ -16,13 +17,17 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 struct Mesh_cad_options
 {
   std::string input, out, picture, json, unit = "MM";
   std::string face_list, face_sizes, edge_sizes;
+  std::vector<std::string> sphere_list;
   double max_edge = 0, min_edge = 0, distance = 0; // 0 if not given
   double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8, growth = 0;
+  double sewing_tolerance = -1; // 0 for never, below 0 if not given
+  Size_spheres spheres;         // from `sphere_list`
   unsigned int threads = 1;
   std::set<std::size_t> faces;                                 // from `face_list`; empty for all
   std::map<std::size_t, double> max_edge_of_face, max_edge_of_edge; // from the lists of sizes
@@ -49,6 +54,8 @@ const char* const conclusion =
   "The numbers of --json are, among others:\n"
   "  faces, meshed_faces, left_out  faces of the shape, those in the mesh, and the others\n"
   "  triangles, vertices, min_angle, mean_min_angle, mean_radius_ratio\n"
+  "  min_angle_apart_from_corners   the smallest angle but for those in corners of faces below 30\n"
+  "                                 degrees, where the corner is not divided\n"
   "  below_10, below_10_at_corners  triangles with an angle below 10 degrees, and those of them\n"
   "                                 with that angle in a corner of a face that is as sharp\n"
   "  tiny_edges, sliver_faces       edges shorter than 1/1000 of the diagonal; faces with\n"
@@ -56,6 +63,8 @@ const char* const conclusion =
   "  closed, shape_closed           whether the mesh, and the shape, has no border\n"
   "  distance                       largest distance measured from surfaces and edges to the mesh;\n"
   "  distance_over_diagonal         over the diagonal of the shape's box\n"
+  "  inner_edges                    edges inside faces, which the mesh does not follow\n"
+  "  sewn_edges, lost_faces         pairs of edges joined, and faces lost, by sewing\n"
   "  largest_gap                    between an edge and a curve in the domain of a face\n"
   "  seconds                        processor time: reading, model, meshing, measuring\n"
   "\n"
@@ -78,12 +87,15 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("closeness", number(o.closeness), "longest piece of a boundary over the width of its face there (1.8)")
     ("growth", number(o.growth), "growth of the edge length inside faces, as a share of the distance from their boundary (0)")
     ("face-size", text(o.face_sizes, "F:L,..."), "wanted edge lengths of single faces: a shorter one for face 3 by 3:0.5")
-    ("edge-size", text(o.edge_sizes, "E:L,..."), "the same for edges of the shape");
+    ("edge-size", text(o.edge_sizes, "E:L,..."), "the same for edges of the shape")
+    ("sphere-size", po::value<std::vector<std::string>>(&o.sphere_list)->value_name("X,Y,Z,R:L"),
+     "wanted edge length L in the sphere of radius R around a point, growing outside by 0.2 of the distance; may be given several times");
   po::options_description input("Input", 92);
   input.add_options()
     ("faces", text(o.face_list, "LIST"), "mesh these faces only: 1,4,7-9")
     ("unit", text(o.unit, "UNIT"), "unit of length of the result: MM, CM, M, KM, INCH, FT ... (MM); a BREP file has none")
     ("threads", po::value<unsigned int>(&o.threads)->value_name("N"), "number of threads that mesh faces (1)")
+    ("sew", number(o.sewing_tolerance), "join edges of faces that are no farther apart; 0 for none (IGES: 0.00001 of the diagonal, others: 0)")
     ("heal", po::bool_switch(&o.is_healing_wanted), "let Open CASCADE repair the shape first (ShapeFix_Shape)");
   po::options_description output("Output", 92);
   output.add_options()
@@ -151,6 +163,8 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
   if(!(o.growth >= 0 && o.growth < 10))
     throw Usage_error("--growth: the growth must be at least 0 and below 10");
+  if(given.count("sew") != 0 && !(o.sewing_tolerance >= 0 && std::isfinite(o.sewing_tolerance)))
+    throw Usage_error("--sew: the distance must be a finite number, at least 0");
   if(o.threads == 0 || o.threads > 1024)
     throw Usage_error("--threads: the number must be at least 1 and at most 1024");
 #ifndef CGAL_LINKED_WITH_TBB
@@ -195,6 +209,8 @@ inline Mesh_cad_options read_mesh_cad_options(int argc, char** argv)
     o.max_edge_of_face = sizes_in("face-size", o.face_sizes);
   if(given.count("edge-size") != 0)
     o.max_edge_of_edge = sizes_in("edge-size", o.edge_sizes);
+  for(const std::string& sphere : o.sphere_list)
+    o.spheres.add("sphere-size", sphere);
   return o;
 }
 

@@ -72,11 +72,14 @@ inline std::size_t number_of_meshed_faces(const Mesh_cad_result& result)
 inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
 {
   const auto& shape = result.shape;
-  nlohmann::ordered_json left_out = nlohmann::ordered_json::array(), gaps = nlohmann::ordered_json::array();
+  nlohmann::ordered_json left_out = nlohmann::ordered_json::array(), gaps = nlohmann::ordered_json::array(),
+                         inner_edges = nlohmann::ordered_json::array();
   for(const auto& face : result.left_out)
     left_out.push_back({{"face", face.shape_face + 1}, {"reason", face.reason}});
   for(const auto& gap : shape.gaps)
     gaps.push_back({{"edge", gap.shape_edge + 1}, {"face", gap.shape_face + 1}, {"distance", gap.distance}, {"tolerance", gap.tolerance}});
+  for(const auto& edge : shape.inner_edges)
+    inner_edges.push_back({{"edge", edge.shape_edge + 1}, {"face", edge.shape_face + 1}});
   return {{"diagonal", shape.diagonal},
           {"faces", shape.number_of_shape_faces},
           {"edges", shape.number_of_shape_edges},
@@ -87,7 +90,10 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
           {"gaps_above_tolerance", gaps},
           {"rebuilt_curves", shape.number_of_rebuilt_curves},
           {"removed_slits", shape.number_of_removed_slits},
-          {"reversed_faces", shape.number_of_reversed_faces}};
+          {"reversed_faces", shape.number_of_reversed_faces},
+          {"inner_edges", inner_edges},
+          {"sewn_edges", result.number_of_sewn_edges},
+          {"lost_faces", result.number_of_lost_faces}};
 }
 
 inline std::vector<std::size_t> faces_of_shape(const Mesh_cad_result& result, std::vector<std::size_t> faces_of_model)
@@ -123,6 +129,7 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"border_edges", m.border_edges},
           {"components", q.number_of_connected_components},
           {"min_angle", q.min_angle},
+          {"min_angle_apart_from_corners", m.min_angle_apart},
           {"mean_min_angle", q.mean_min_angle},
           {"mean_radius_ratio", q.mean_radius_ratio},
           {"below_10", m.below_10},
@@ -169,6 +176,12 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
   const auto& shape = result.shape;
   for(const auto& face : result.left_out)
     out << "  LEFT OUT face " << face.shape_face + 1 << ": " << face.reason << "\n";
+  for(const auto& edge : shape.inner_edges)
+    out << "  edge " << edge.shape_edge + 1 << " is inside of face " << edge.shape_face + 1 << ", and the mesh does not follow it\n";
+  if(result.number_of_sewn_edges > 0)
+    out << "  " << mesh_patch::plural(result.number_of_sewn_edges, "edge") << " of two faces made by sewing\n";
+  if(result.number_of_lost_faces > 0)
+    out << "  " << mesh_patch::plural(result.number_of_lost_faces, "face") << " LOST BY SEWING\n";
   if(!shape.gaps.empty())
     out << "  " << mesh_patch::plural(shape.gaps.size(), "use") << " of edges off by more than the tolerance of the file, by up to "
         << shape.largest_gap << "\n";
@@ -191,8 +204,8 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
     out << (q.is_closed ? ", ALTHOUGH THE SHAPE IS NOT CLOSED" : ", ALTHOUGH THE SHAPE IS CLOSED");
   out << "\n";
   print_shape(out, result);
-  out << "  smallest angle " << q.min_angle << " degrees, its mean " << q.mean_min_angle << "; "
-      << mesh_patch::plural(m.below_10, "triangle") << " below 10 degrees, " << m.below_10_at_corners
+  out << "  smallest angle " << q.min_angle << " degrees, " << m.min_angle_apart << " apart from sharp corners, its mean "
+      << q.mean_min_angle << "; " << mesh_patch::plural(m.below_10, "triangle") << " below 10 degrees, " << m.below_10_at_corners
       << " of them in corners as sharp\n";
   if(!m.tiny_edges.empty() || !m.sliver_faces.empty())
     out << "  " << mesh_patch::plural(m.tiny_edges.size(), "tiny edge") << ", "

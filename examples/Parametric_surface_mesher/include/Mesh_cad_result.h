@@ -17,7 +17,10 @@
 #include <CGAL/IO/read_open_cascade_shape.h>
 #include <CGAL/make_model_of_open_cascade_shape.h>
 #include <CGAL/repair_open_cascade_shape.h>
+#include <CGAL/sew_open_cascade_shape.h>
 
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
@@ -27,6 +30,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <ctime>
 #include <functional>
@@ -45,6 +49,7 @@ struct Mesh_cad_result
   CGAL::Triangle_mesh_quality quality;
   Cad_mesh_measures measures;
   std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
+  std::size_t number_of_sewn_edges = 0, number_of_lost_faces = 0; // by sewing
   double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, measuring_seconds = 0;
 };
 
@@ -100,6 +105,8 @@ inline void set_sizes(const Mesh_cad_options& options, CGAL::Open_cascade_model_
   }
   for(const auto& size : options.max_edge_of_edge)
     shape.model.edges()[size.first - 1].max_edge = size.second;
+  if(!options.spheres.is_empty())
+    shape.model.set_sizing_field(options.spheres);
 }
 
 inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_options& o, double diagonal)
@@ -109,6 +116,15 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_optio
   criteria.set_max_edge(max_edge).set_min_edge(o.min_edge > 0 ? o.min_edge : (std::min)(diagonal / 1000, max_edge));
   criteria.set_gamma(o.gamma).set_angle(o.angle).set_closeness(o.closeness).set_growth(o.growth);
   return criteria.set_distance(o.distance > 0 ? o.distance : o.relative_distance * diagonal);
+}
+
+inline void check_spheres(const Size_spheres& spheres, const CGAL::Parametric_surface_mesh_criteria& criteria)
+{
+  if(spheres.smallest_length() >= criteria.min_edge())
+    return;
+  std::ostringstream message;
+  message << "--sphere-size: the length " << spheres.smallest_length() << " is below that of --min-edge, " << criteria.min_edge();
+  throw Usage_error(message.str());
 }
 
 // As long as it lives, nothing is printed: Open CASCADE's readers write what they think about a file to std::cout.
@@ -127,10 +143,28 @@ public:
   Silence& operator=(const Silence&) = delete;
 };
 
-inline TopoDS_Shape read_shape(const Mesh_cad_options& options)
+// 0 for no sewing: the faces of IGES files alone have no edges in common
+inline double sewing_tolerance(const Mesh_cad_options& options, const TopoDS_Shape& shape)
+{
+  if(options.sewing_tolerance >= 0)
+    return options.sewing_tolerance;
+  const std::string ending = CGAL::Parametric_surface_mesher::internal::ending_of(options.input);
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, false);
+  return (ending == "iges" || ending == "igs") && !box.IsVoid() && !box.IsOpen() ? 1e-5 * std::sqrt(box.SquareExtent()) : 0;
+}
+
+inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result& result)
 {
   const Silence silence;
-  const TopoDS_Shape shape = CGAL::IO::read_open_cascade_shape(options.input, options.unit);
+  TopoDS_Shape shape = CGAL::IO::read_open_cascade_shape(options.input, options.unit);
+  const double tolerance = sewing_tolerance(options, shape);
+  if(tolerance > 0) {
+    const CGAL::Sewn_open_cascade_shape sewn = CGAL::sew_open_cascade_shape(shape, tolerance);
+    result.number_of_sewn_edges = sewn.number_of_sewn_edges;
+    result.number_of_lost_faces = sewn.number_of_lost_faces;
+    shape = sewn.shape;
+  }
   return options.is_healing_wanted ? CGAL::repair_open_cascade_shape(shape) : shape;
 }
 
@@ -162,7 +196,7 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
 inline void mesh_and_measure(const Mesh_cad_options& options, Mesh_cad_result& result)
 {
   TopoDS_Shape shape;
-  result.reading_seconds = seconds_of([&] { shape = read_shape(options); });
+  result.reading_seconds = seconds_of([&] { shape = read_shape(options, result); });
   result.model_seconds = seconds_of([&] {
     result.shape = CGAL::make_model_of_open_cascade_shape(shape);
     select_faces(options.faces, result.shape);
@@ -170,6 +204,7 @@ inline void mesh_and_measure(const Mesh_cad_options& options, Mesh_cad_result& r
   });
   result.left_out = result.shape.left_out;
   result.criteria = make_criteria(options, result.shape.diagonal);
+  check_spheres(options.spheres, result.criteria);
   result.meshing_seconds = seconds_of([&] { make_mesh(options, result); });
   result.measuring_seconds = seconds_of([&] {
     result.quality = CGAL::triangle_mesh_quality(result.mesh.mesh);

@@ -37,6 +37,7 @@ struct Cad_mesh
 struct Cad_mesh_measures
 {
   double distance = 0; // largest, from sampled points of surfaces and edges to the mesh
+  double min_angle_apart = 180; // the smallest angle but for those that sharp corners of faces force
   std::size_t below_10 = 0, below_10_at_corners = 0; // triangles with an angle below 10 degrees
   std::size_t border_edges = 0;
   std::vector<std::size_t> tiny_edges;   // of the model: shorter than 1e-3 of the diagonal
@@ -118,11 +119,13 @@ inline double squared_distance_to_edges(const Cad_mesh& mesh, const Model& model
   return result;
 }
 
-// The vertices at which faces have corners below a number of degrees.
-inline std::set<std::pair<std::size_t, Kernel::Point_3>> sharp_corners(const Model& model, double degrees)
+// The corners of faces below a number of degrees: the sharpest of a face at a point.
+typedef std::map<std::pair<std::size_t, Kernel::Point_3>, double> Sharp_corners;
+
+inline Sharp_corners sharp_corners(const Model& model, double degrees)
 {
   typedef Model::Edge_use Edge_use;
-  std::set<std::pair<std::size_t, Kernel::Point_3>> result;
+  Sharp_corners result;
   for(std::size_t f = 0; f < model.faces().size(); ++f) {
     // the direction in space in which a use leaves its begin, or comes from its end
     const auto direction = [&](const Edge_use& use, bool is_at_begin) {
@@ -135,9 +138,11 @@ inline std::set<std::pair<std::size_t, Kernel::Point_3>> sharp_corners(const Mod
     for(const auto& loop : model.faces()[f].loops)
       for(std::size_t i = 0; i < loop.size(); ++i) {
         const Edge_use &use = loop[i], &next = loop[(i + 1) % loop.size()];
-        if(!(angle(direction(use, false), direction(next, true)) > degrees)) {
+        const double corner = angle(direction(use, false), direction(next, true));
+        if(!(corner > degrees)) {
           const auto& edge = model.edges()[next.edge];
-          result.emplace(f, model.vertices()[next.is_reversed ? edge.target : edge.source]);
+          const auto found = result.emplace(std::make_pair(f, model.vertices()[next.is_reversed ? edge.target : edge.source]), corner);
+          found.first->second = (std::min)(found.first->second, corner);
         }
       }
   }
@@ -184,9 +189,9 @@ inline void measure_shape(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3
 
 inline Cad_mesh_measures measure(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape)
 {
-  const double small_angle = 10; // degrees
+  const double small_angle = 10, sharp_angle = 30; // degrees
   Cad_mesh_measures result;
-  const auto sharp = sharp_corners(shape.model, small_angle);
+  const Sharp_corners sharp = sharp_corners(shape.model, sharp_angle);
   const Tree tree(faces(mesh.mesh).first, faces(mesh.mesh).second, mesh.mesh);
   double squared_distance = squared_distance_to_edges(mesh, shape.model, tree);
   for(const auto face : mesh.mesh.faces()) {
@@ -194,10 +199,13 @@ inline Cad_mesh_measures measure(const Cad_mesh& mesh, const CGAL::Open_cascade_
     const std::size_t patch = mesh.patch[face];
     squared_distance = squared_distance_to_surface(c, shape.model.faces()[patch].surface, tree, squared_distance);
     const auto smallest = smallest_angle(c.points);
+    const auto corner = sharp.find({patch, c.points[smallest.first]});
     if(smallest.second < small_angle) {
       ++result.below_10;
-      result.below_10_at_corners += sharp.count({patch, c.points[smallest.first]});
+      result.below_10_at_corners += corner != sharp.end() && corner->second <= small_angle;
     }
+    if(corner == sharp.end() || smallest.second < 0.8 * corner->second) // a corner that is divided has more than one triangle
+      result.min_angle_apart = (std::min)(result.min_angle_apart, smallest.second);
   }
   result.distance = std::sqrt(squared_distance);
   measure_shape(mesh, shape, result);

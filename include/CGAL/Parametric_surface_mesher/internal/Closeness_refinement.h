@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -68,7 +69,9 @@ private:
 };
 
 // Where a face is narrower than the pieces of its boundary are long, triangles across it are flat, and no point inside can
-// help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop.
+// help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop, and
+// those so much longer than the pieces across the face that triangles cannot grow from the ones to the others. The pieces at
+// the tip of a cusp stay.
 template <class Oracle>
 class Closeness_refinement
 {
@@ -81,8 +84,17 @@ class Closeness_refinement
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Face_handle Face_handle;
 
+  struct Measured_piece
+  {
+    Piece piece;
+    double length;
+  };
+
   static const int max_number_of_rounds = 16;
   static constexpr double max_ratio = 2.5;      // of neighbours on a loop
+  static constexpr double gradation = 1;        // by how much longer pieces across a face may be per distance
+  static constexpr double largest_tip = 4;      // width of a cusp's tip, in minimum edges
+  static constexpr double sharpness = 0.32;     // width of a cusp's tip over its length
   static constexpr double hopeless_share = 0.25; // of the minimum edge: what is narrower stays as it is
 
   Division& m_division;
@@ -106,6 +118,8 @@ public:
       for(std::size_t face : faces)
         if(!m_division.model().faces()[face].loops.empty())
           with_name_of_face(m_division.model(), face, [&] { collect(face, pieces); });
+      for(auto piece = pieces.begin(); piece != pieces.end();)
+        piece = m_division.is_kept(*piece) ? pieces.erase(piece) : std::next(piece);
       number_of_splits += pieces.size();
       m_division.split(pieces);
       faces = m_division.faces_at(pieces);
@@ -125,11 +139,22 @@ private:
     Boundary_triangulator<Kernel> triangulate(triangulation, charted_loops);
     triangulate(evaluator);
     auto vertices = triangulate.vertices().begin();
-    for(std::size_t l = 0; l < loops.size(); ++l) {
-      const std::vector<Vertex_handle> loop(vertices, vertices + charted_loops[l].size());
-      vertices += charted_loops[l].size();
-      collect(face, l, segments(loops[l], loop.size()), loop, triangulation, pieces);
+    std::vector<std::vector<Vertex_handle>> vertices_of_loops;
+    for(const auto& loop : charted_loops) {
+      vertices_of_loops.emplace_back(vertices, vertices + loop.size());
+      vertices += loop.size();
+      set_spacings(vertices_of_loops.back());
     }
+    for(std::size_t l = 0; l < loops.size(); ++l)
+      collect(face, l, segments(loops[l], charted_loops[l].size()), vertices_of_loops[l], triangulation, pieces);
+  }
+
+  // Each vertex gets the length of the shorter of the pieces at it.
+  static void set_spacings(const std::vector<Vertex_handle>& loop)
+  {
+    const std::size_t n = loop.size();
+    for(std::size_t i = 0; i < n; ++i)
+      loop[i]->set_spacing((std::min)(length(loop[(i + n - 1) % n], loop[i]), length(loop[i], loop[(i + 1) % n])));
   }
 
   // The numbers of the segments of a loop in the domain; a chart leaves out those between copies of a pole.
@@ -152,17 +177,66 @@ private:
       if(!(l >= 2 * m_criteria.min_edge()))
         continue;
       const double neighbor = (std::min)(length(loop[(i + n - 1) % n], v), length(w, loop[(i + 2) % n]));
-      if(is_longer(l, max_ratio * neighbor) || is_longer(l, m_criteria.closeness() * width(v, w, triangulation))) {
+      if(is_longer(l, max_ratio * neighbor) || is_longer(l, m_criteria.closeness() * width(v, w, triangulation))
+         || l > (std::min)(graded_size(v, triangulation), graded_size(w, triangulation))) {
         const Piece piece = m_division.piece(face, number, segments[i]);
         if(m_division.can_be_split(piece))
           pieces.insert(piece);
       }
+    }
+    for(std::size_t i = 0; i < n; ++i) {
+      const std::size_t before = (i + n - 1) % n;
+      if(is_tip(loop[before], loop[i], loop[(i + 1) % n], triangulation))
+        even_out_tip({m_division.piece(face, number, segments[before]), length(loop[before], loop[i])},
+                     {m_division.piece(face, number, segments[i]), length(loop[i], loop[(i + 1) % n])}, pieces);
+    }
+  }
+
+  // Whether the triangle of three vertices of a loop is the tip of a cusp, where two edges of the model meet.
+  bool is_tip(Vertex_handle u, Vertex_handle v, Vertex_handle w, const Triangulation& triangulation) const
+  {
+    const double base = length(u, w);
+    return base > 0 && base < largest_tip * m_criteria.min_edge()
+           && base < sharpness * (std::min)(length(u, v), length(v, w)) && triangulation.is_face(u, v, w)
+           && triangulation.geom_traits().orientation_2_object()(u->point(), v->point(), w->point()) == LEFT_TURN;
+  }
+
+  // In a tip the smallest angle is that of its corner, if the two pieces have much the same length. Halving both would but
+  // add triangles as sharp as that.
+  void even_out_tip(const Measured_piece& a, const Measured_piece& b, std::set<Piece>& pieces) const
+  {
+    const Measured_piece &longer = a.length > b.length ? a : b, &shorter = a.length > b.length ? b : a;
+    if(longer.length > 1.4 * shorter.length && longer.length >= 2 * m_criteria.min_edge()
+       && m_division.can_be_split(longer.piece))
+      pieces.insert(longer.piece);
+    else {
+      m_division.keep(a.piece);
+      m_division.keep(b.piece);
     }
   }
 
   bool is_longer(double length, double limit) const
   {
     return length > limit && limit > hopeless_share * m_criteria.min_edge();
+  }
+
+  // How long a piece at `v` may be for the sake of the pieces that edges across the face reach from there: as long as these,
+  // and longer by a share of the distance. Where the face is narrower than the minimum edge this would not help.
+  double graded_size(Vertex_handle v, const Triangulation& triangulation) const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    auto face = triangulation.incident_faces(v);
+    const auto first = face;
+    do
+      if(face->is_in_domain())
+        for(int i : {triangulation.cw(face->index(v)), triangulation.ccw(face->index(v))}) {
+          const Vertex_handle x = face->vertex(i);
+          const double d = distance(v, x);
+          if(!face->is_constrained(3 - i - face->index(v)) && d >= m_criteria.min_edge())
+            result = (std::min)(result, (std::max)(x->spacing(), m_criteria.min_edge()) + gradation * d);
+        }
+    while(++face != first);
+    return result;
   }
 
   // The distance in space of the segment from the third corner of its triangle. (Not from its line: the triangles of a
@@ -183,6 +257,15 @@ private:
       result = (std::min)(result, std::sqrt(squared_distance(f->vertex(side.second)->point().surface_point(), segment)));
     }
     return result;
+  }
+
+  // On the surface: points on either side of a closed surface are far from each other, however close they are in space.
+  static double distance(Vertex_handle v, Vertex_handle w)
+  {
+    const auto &p = v->point(), &q = w->point();
+    const double du = q.x() - p.x(), dv = q.y() - p.y();
+    const double in_domain = std::sqrt((0.5 * (p.tensor() + q.tensor())).squared_length(du, dv));
+    return (std::max)(in_domain, length(v, w));
   }
 
   static double length(Vertex_handle v, Vertex_handle w)

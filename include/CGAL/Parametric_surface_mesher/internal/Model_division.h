@@ -11,6 +11,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Model_uses.h>
 #include <CGAL/Parametric_surface_mesher/internal/Pointed_apex.h>
 #include <CGAL/Parametric_surface_mesher/internal/criteria_of_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/least_numbers_of_pieces.h>
 #include <CGAL/Parametric_surface_mesher/internal/name_face.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/divide_curve.h>
@@ -60,6 +61,7 @@ private:
     std::vector<Point_3> points;
     std::size_t first_inner_index = 0; // in the mesh, of the second point
     double smallest_piece = 0;         // in the parameter
+    bool keeps_first_piece = false, keeps_last_piece = false;
   };
 
   static const std::size_t no_index = std::size_t(-1);
@@ -85,7 +87,7 @@ public:
       m_face_criteria.push_back(criteria_of_face(criteria, face));
     for(std::size_t f = 0; f < model.faces().size(); ++f)
       m_sizes.emplace_back(oracles[f], m_face_criteria[f], domain_box(model.faces()[f].loops, curve));
-    const std::vector<std::size_t> least_numbers = least_numbers_of_pieces();
+    const std::vector<std::size_t> least_numbers = least_numbers_of_pieces(model, m_uses);
     const Pointed_apexes<Model> apexes(model);
     for(std::size_t edge : m_uses.order())
       about_face(m_uses[edge].front().face, [&] {
@@ -152,6 +154,21 @@ public:
     const Division& division = m_divisions[piece.edge];
     return !m_model.edges()[piece.edge].is_collapsed && prescribed_number(piece.edge) == 0
            && std::fabs(division.parameters[piece.number + 1] - division.parameters[piece.number]) > division.smallest_piece;
+  }
+
+  // Marks a piece, if it is at an end of its edge, as one that had better stay whole.
+  void keep(const Piece& piece)
+  {
+    Division& division = m_divisions[piece.edge];
+    division.keeps_first_piece |= piece.number == 0;
+    division.keeps_last_piece |= piece.number + 1 == number_of_pieces(piece.edge);
+  }
+
+  bool is_kept(const Piece& piece) const
+  {
+    const Division& division = m_divisions[piece.edge];
+    return (piece.number == 0 && division.keeps_first_piece)
+           || (piece.number + 1 == number_of_pieces(piece.edge) && division.keeps_last_piece);
   }
 
   // \pre all can be split; they are in order
@@ -238,33 +255,6 @@ public:
   }
 
 private:
-  // A loop has three edges at least, no two edges of the mesh have the same ends, and an edge where pieces are separated
-  // has an inner point.
-  std::vector<std::size_t> least_numbers_of_pieces() const
-  {
-    std::vector<std::size_t> result(m_divisions.size(), 1);
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> edges_between; // vertices
-    for(std::size_t e : m_uses.order()) {
-      const auto& edge = m_model.edges()[e];
-      const auto first = edges_between.emplace(std::minmax(edge.source, edge.target), e);
-      if(edge.source == edge.target)
-        result[e] = 3;
-      else if(!m_uses.is_manifold(e))
-        result[e] = 2;
-      if(edge.source != edge.target && !first.second)
-        result[e] = result[first.first->second] = 2;
-    }
-    for(const auto& face : m_model.faces())
-      for(const auto& loop : face.loops) {
-        const std::size_t n = std::count_if(loop.begin(), loop.end(), [this](const Edge_use& use) {
-          return !m_model.edges()[use.edge].is_collapsed;
-        });
-        for(const Edge_use& use : loop)
-          result[use.edge] = (std::max)(result[use.edge], n == 1 ? std::size_t(3) : n == 2 ? 2 : 1);
-      }
-    return result;
-  }
-
   std::size_t prescribed_number(std::size_t edge) const
   {
     std::size_t result = 0;

@@ -16,6 +16,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <deque>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -39,14 +41,14 @@ class Patch_repair
   typedef typename Kernel::Point_2 Point_2;
   typedef Vertex_star<Triangulation, typename Evaluator::Oracle::Metric_field> Star;
 
-  static const int max_number_of_passes = 8;
-
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   const IsBad& m_is_bad;
   double m_squared_sine, m_squared_min_edge;
   Star m_star;
   std::vector<Face_state> m_states; // of its faces
+  std::deque<Face_handle> m_queue;
+  std::unordered_set<Face_handle> m_waiting; // those in the queue
   std::vector<Point_2> m_positions;
 
 public:
@@ -58,23 +60,23 @@ public:
   {}
 
   // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more
-  // than can be, bad faces are many and improvement would take longer than refinement: some are left as they are.
+  // than can be, bad faces are many and improvement would take longer than refinement: some are left as they are. A face
+  // that could not be repaired is tried again once something beside it has changed, and not before.
   template <class GoFurther>
   void operator()(const GoFurther& go_further)
   {
     std::size_t attempts_left = 1000 + m_triangulation.number_of_faces() / 20;
-    std::vector<Face_handle> poor;
     for(Face_handle face : m_triangulation.finite_face_handles())
-      if(face->is_in_domain() && is_poor(face))
-        poor.push_back(face);
-    bool is_changed = !poor.empty();
-    for(int pass = 0; is_changed && pass < max_number_of_passes; ++pass) {
-      is_changed = false;
-      for(std::size_t i = 0; i < poor.size() && attempts_left > 0 && go_further(); ++i) // grows
-        if(is_poor(poor[i])) {
-          is_changed |= repair(poor[i], poor);
-          --attempts_left;
-        }
+      if(face->is_in_domain())
+        add_if_poor(face);
+    while(!m_queue.empty() && attempts_left > 0 && go_further()) {
+      const Face_handle face = m_queue.front();
+      m_queue.pop_front();
+      m_waiting.erase(face);
+      if(is_poor(face)) {
+        repair(face);
+        --attempts_left;
+      }
     }
   }
 
@@ -93,26 +95,35 @@ private:
     return is_collapsed(face) ? 1 : face_measures(face, m_evaluate.oracle().metric()).squared_smallest_sine;
   }
 
-  bool repair(Face_handle face, std::vector<Face_handle>& poor)
+  void add_if_poor(Face_handle face)
   {
-    for(int i = 0; i < 3; ++i)
-      if(flip_if_better(face, i, poor))
-        return true;
-    for(int i = 0; i < 3; ++i)
-      if(!face->vertex(i)->is_on_boundary() && move_if_better(face->vertex(i), poor))
-        return true;
-    return false;
+    if(is_poor(face) && m_waiting.insert(face).second)
+      m_queue.push_back(face);
   }
 
-  // Notes the state of changed faces; those that have become poor are looked at again.
+  void repair(Face_handle face)
+  {
+    for(int i = 0; i < 3; ++i)
+      if(flip_if_better(face, i))
+        return;
+    for(int i = 0; i < 3; ++i)
+      if(!face->vertex(i)->is_on_boundary() && move_if_better(face->vertex(i)))
+        return;
+  }
+
+  // Notes the state of changed faces; these and their neighbours are looked at again.
   template <class Faces>
-  void note(const Faces& changed, std::vector<Face_handle>& poor)
+  void note(const Faces& changed)
   {
     for(Face_handle face : changed) {
       face->touch();
       face->set_state(badness(face) == Mesh_2::NOT_BAD ? Face_state::GOOD : Face_state::BLOCKED);
-      if(is_poor(face))
-        poor.push_back(face);
+    }
+    for(Face_handle face : changed) {
+      add_if_poor(face);
+      for(int i = 0; i < 3; ++i)
+        if(!face->is_constrained(i))
+          add_if_poor(face->neighbor(i));
     }
   }
 
@@ -128,7 +139,7 @@ private:
     return result;
   }
 
-  bool flip_if_better(Face_handle face, int i, std::vector<Face_handle>& poor)
+  bool flip_if_better(Face_handle face, int i)
   {
     if(face->is_constrained(i))
       return false;
@@ -142,7 +153,7 @@ private:
     const std::size_t failures = number_of_failures(faces);
     edge.flip();
     if(number_of_failures(faces) <= failures) {
-      note(faces, poor);
+      note(faces);
       return true;
     }
     edge.undo();
@@ -151,7 +162,7 @@ private:
     return false;
   }
 
-  bool move_if_better(Vertex_handle vertex, std::vector<Face_handle>& poor)
+  bool move_if_better(Vertex_handle vertex)
   {
     m_star.collect(vertex);
     m_states.clear();
@@ -159,7 +170,7 @@ private:
       m_states.push_back(face->state());
     const Point old_point = vertex->point();
     if(find_better_place(vertex)) {
-      note(m_star.faces(), poor);
+      note(m_star.faces());
       return true;
     }
     m_star.move_to(old_point);

@@ -66,6 +66,7 @@ public:
       add_vertex(TopoDS::Vertex(m_vertices(i)));
     for(int i = 1; i <= m_edges.Extent(); ++i)
       add_edge(TopoDS::Edge(m_edges(i).Oriented(TopAbs_FORWARD)));
+    list_inner_edges();
     add_shells(shape);
     orient();
     return std::move(m_result);
@@ -120,6 +121,20 @@ private:
     return model().add_vertex(edge.curve ? edge.curve->point(0) : Model::Point_3(0, 0, 0));
   }
 
+  void list_inner_edges()
+  {
+    for(int f = 1; f <= m_faces.Extent(); ++f)
+      for(TopExp_Explorer edge(m_faces(f).Oriented(TopAbs_FORWARD), TopAbs_EDGE); edge.More(); edge.Next())
+        if(!is_on_boundary(edge.Current()))
+          m_result.inner_edges.push_back({std::size_t(m_edges.FindIndex(edge.Current())) - 1, std::size_t(f) - 1});
+  }
+
+  // whether an edge, as a face has it, is a part of the boundary
+  static bool is_on_boundary(const TopoDS_Shape& edge)
+  {
+    return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
+  }
+
   // A face that two solids share is in the shells of both.
   void add_shells(const TopoDS_Shape& shape)
   {
@@ -145,8 +160,7 @@ private:
     std::map<int, int> numbers_of_uses; // of edges
     for(const TopoDS_Shape& face : faces) {
       for(TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
-        if((edge.Current().Orientation() == TopAbs_FORWARD || edge.Current().Orientation() == TopAbs_REVERSED)
-           && !BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
+        if(is_on_boundary(edge.Current()) && !BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
           ++numbers_of_uses[m_edges.FindIndex(edge.Current())];
       add_face(TopoDS::Face(face), shell);
     }
