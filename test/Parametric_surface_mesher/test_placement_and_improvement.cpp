@@ -92,3 +92,20 @@ TEST(Improvement, angle_that_is_aimed_at)
   }
   EXPECT_GT(previous, 33);
 }
+
+// Whatever the order in which the front advances: sizes are to grow with the distance from short edges.
+TEST(Grading, triangles_grow_away_from_a_finely_divided_hole)
+{
+  const Sample flat = make_sample("flat");
+  typedef CGAL::Domain_curve_2<Test_kernel> Curve;
+  Domain domain = Domain::rectangle(-1, 1, -1, 1);
+  Curve circle = Curve::circle(Point_2(0.2, 0.1), 0.25);
+  circle.set_number_of_edges(2000);
+  domain.add_hole({circle});
+  Mesh mesh;
+  const Report report = add_patch(flat.surface, domain, Criteria().set_max_edge(0.04), mesh);
+  EXPECT_EQ(0u, report.unmet.size());
+  // the ring around the hole has 4000, and the rest would have some 5400
+  EXPECT_LT(report.number_of_faces, 50000u);
+  EXPECT_GT(report.smallest_angle, 30 - 1e-9);
+}
