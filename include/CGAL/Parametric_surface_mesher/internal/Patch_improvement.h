@@ -9,6 +9,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Phase_timer.h>
 
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -52,11 +53,11 @@ public:
   }
 
 private:
-  // tells whether there is time left
+  // tells whether there is time left; without a limit it does not ask the clock, which takes a tenth of the improvement
   auto clock() const
   {
     const double limit = m_criteria.improvement_time() - m_seconds_before;
-    return [limit, start = thread_seconds()] { return thread_seconds() - start < limit; };
+    return [limit, start = thread_seconds()] { return std::isinf(limit) || thread_seconds() - start < limit; };
   }
 };
 
