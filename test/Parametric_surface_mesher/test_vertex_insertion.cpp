@@ -1,0 +1,182 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Insertion one by one against CGAL's own, the order of a front, and iteration with lookahead.
+#include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
+#include <CGAL/Parametric_surface_mesher/internal/Front_queue.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Recent_values.h>
+#include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <random_input.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace internal = CGAL::Parametric_surface_mesher::internal;
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_2 Point_2;
+typedef internal::Patch_triangulation_2<Kernel> Triangulation;
+typedef Triangulation::Face_handle Face_handle;
+typedef Triangulation::Vertex_handle Vertex_handle;
+typedef internal::Location<Triangulation> Location;
+typedef CGAL::Constrained_Delaunay_triangulation_2<Kernel> Euclidean_triangulation;
+typedef std::set<std::pair<Point_2, Point_2>> Edges;
+
+namespace {
+
+Triangulation::Point at(const Point_2& p)
+{
+  return Triangulation::Point(p, Kernel::Point_3(p.x(), p.y(), 0), CGAL::Metric_tensor_2(1, 0, 1));
+}
+
+// a square from (-1, -1) to (1, 1) with a constrained diagonal of its upper left quarter, all of it in the domain
+template <class AnyTriangulation, class MakePoint>
+void add_square(AnyTriangulation& t, const MakePoint& make_point)
+{
+  const std::vector<Point_2> corners = {Point_2(-1, -1), Point_2(1, -1), Point_2(1, 1), Point_2(-1, 1)};
+  std::vector<typename AnyTriangulation::Vertex_handle> vertices;
+  for(const Point_2& p : corners)
+    vertices.push_back(t.insert(make_point(p)));
+  for(std::size_t i = 0; i < 4; ++i)
+    t.insert_constraint(vertices[i], vertices[(i + 1) % 4]);
+  t.insert_constraint(t.insert(make_point(Point_2(-1, 0))), t.insert(make_point(Point_2(0, 1))));
+}
+
+template <class AnyTriangulation>
+Edges edges(const AnyTriangulation& t)
+{
+  Edges result;
+  for(auto e = t.finite_edges_begin(); e != t.finite_edges_end(); ++e) {
+    const Point_2 p = e->first->vertex((e->second + 1) % 3)->point(), q = e->first->vertex((e->second + 2) % 3)->point();
+    result.insert(p < q ? std::make_pair(p, q) : std::make_pair(q, p));
+  }
+  return result;
+}
+
+void check_star(const std::vector<Face_handle>& star, Vertex_handle vertex)
+{
+  for(std::size_t i = 0; i < star.size(); ++i) {
+    EXPECT_EQ(vertex, star[i]->vertex(0));
+    EXPECT_EQ(star[i]->vertex(2), star[(i + 1) % star.size()]->vertex(1));
+    EXPECT_TRUE(star[i]->is_in_domain());
+  }
+}
+
+} // namespace
+
+// Points in general position, as many with coordinates of few bits, which lie on edges and on common circles: with those the
+// triangulations may differ, but both must be valid.
+TEST(Vertex_insertion, is_that_of_CGAL)
+{
+  for(int number_of_bits : {40, 5}) {
+    Triangulation t;
+    add_square(t, at);
+    for(Face_handle face : t.finite_face_handles())
+      face->set_in_domain(true);
+    Euclidean_triangulation expected;
+    add_square(expected, [](const Point_2& p) { return p; });
+
+    internal::Vertex_insertion<Triangulation> insertion(t);
+    Random_input random(number_of_bits);
+    std::size_t number_in_faces = 0, number_on_edges = 0;
+    Face_handle hint = t.finite_faces_begin();
+    for(int n = 0; n < 2000; ++n) {
+      const Point_2 p(random.dyadic(number_of_bits), random.dyadic(number_of_bits));
+      const Location location = internal::walk_in_domain(t, hint, p);
+      hint = location.face;
+      Vertex_handle vertex;
+      if(location.kind == Location::IN_FACE)
+        vertex = insertion.insert_in_face(at(p), location.face);
+      else if(location.kind == Location::ON_EDGE && !location.face->is_constrained(location.index))
+        vertex = insertion.insert_in_edge(at(p), location.face, location.index);
+      else
+        continue;
+      ++(location.kind == Location::IN_FACE ? number_in_faces : number_on_edges);
+      check_star(insertion.star(), vertex);
+      expected.insert(p);
+    }
+    EXPECT_TRUE(t.is_valid());
+    EXPECT_EQ(expected.number_of_vertices(), t.number_of_vertices());
+    EXPECT_EQ(expected.number_of_faces(), t.number_of_faces());
+    EXPECT_GT(number_in_faces, 100u);
+    if(number_of_bits == 40)
+      EXPECT_EQ(edges(expected), edges(t));
+    else
+      EXPECT_GT(number_on_edges, 100u);
+  }
+}
+
+// Octaves first, in an octave tile by tile, and first in first out; a changed face is skipped.
+TEST(Front_queue, order)
+{
+  Triangulation t;
+  add_square(t, at);
+  std::vector<Face_handle> faces;
+  for(Face_handle face : t.all_face_handles())
+    faces.push_back(face);
+  ASSERT_GE(faces.size(), 6u);
+  internal::Front_queue<Face_handle> queue(3);
+  queue.push(faces[0], 1.5, 0);
+  queue.push(faces[1], 5, 1);
+  queue.push(faces[2], 4.5, 2);
+  queue.push(faces[3], 7, 1);
+  queue.push(faces[4], 6, 0);
+  queue.push(faces[5], 1e9, 2);
+  faces[3]->touch();
+  EXPECT_EQ(faces[5], queue.pop());
+  EXPECT_EQ(faces[4], queue.pop()); // of the tile that is the current one at the beginning
+  EXPECT_EQ(faces[2], queue.pop());
+  queue.push(faces[4], 1e9, 1);
+  EXPECT_EQ(faces[4], queue.pop());
+  EXPECT_EQ(faces[1], queue.pop());
+  EXPECT_EQ(faces[0], queue.pop());
+  EXPECT_EQ(Face_handle(), queue.pop());
+  EXPECT_EQ(0u, queue.size());
+}
+
+TEST(For_each_with_lookahead, visits_all_in_order)
+{
+  for(int n : {0, 1, 3, 4, 7, 8, 9, 100}) {
+    std::vector<int> range, announced_early, announced, visited;
+    for(int i = 0; i < n; ++i)
+      range.push_back(i);
+    internal::for_each_with_lookahead<int>(range, [&](int i) { announced_early.push_back(i); },
+                                           [&](int i) {
+                                             EXPECT_LT(std::size_t(i), announced_early.size());
+                                             announced.push_back(i);
+                                           },
+                                           [&](int i) { visited.push_back(i); });
+    EXPECT_EQ(range, announced_early);
+    EXPECT_EQ(range, visited);
+    EXPECT_EQ(n > 4 ? std::size_t(n) - 4 : 0u, announced.size());
+  }
+}
+
+TEST(Recent_values, are_those_of_the_function)
+{
+  internal::Recent_values<Point_2, double> recent(7);
+  int number_of_calls = 0;
+  const auto function = [&](const Point_2& p) {
+    ++number_of_calls;
+    return p.x() + 1000 * p.y();
+  };
+  for(int repeat = 0; repeat < 3; ++repeat)
+    for(int i = 0; i < 50; ++i) {
+      const Point_2 p(i % 10, i / 10);
+      EXPECT_EQ(function(p), recent(p, function));
+      number_of_calls = 0;
+      EXPECT_EQ(function(p), recent(p, function));
+      EXPECT_EQ(1, number_of_calls);
+    }
+}
