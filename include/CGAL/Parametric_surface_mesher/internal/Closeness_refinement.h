@@ -19,9 +19,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
-#include <iterator>
 #include <numeric>
 #include <set>
 #include <utility>
