@@ -16,6 +16,7 @@
 #include <functional>
 #include <ostream>
 #include <stdexcept>
+#include <set>
 #include <string>
 #include <vector>
 
