@@ -35,17 +35,14 @@ class Chord_splitter
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
-  const std::vector<Vertex_handle>& m_boundary_vertices;
   Chords& m_chords_of_shell;
   Chords m_chords; // of the patch
   Vertex_insertion<Triangulation> m_insertion;
   std::map<std::pair<const void*, std::size_t>, Vertex_handle> m_spokes; // looked up, never run through: addresses decide nothing
 
 public:
-  Chord_splitter(Triangulation& triangulation, const Evaluator& evaluate, const std::vector<Vertex_handle>& boundary_vertices,
-                 Chords& chords)
-    : m_triangulation(triangulation), m_evaluate(evaluate), m_boundary_vertices(boundary_vertices), m_chords_of_shell(chords),
-      m_insertion(triangulation)
+  Chord_splitter(Triangulation& triangulation, const Evaluator& evaluate, Chords& chords)
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_chords_of_shell(chords), m_insertion(triangulation)
   {}
 
   // A split flips edges around, which could repeat others.
@@ -68,16 +65,21 @@ private:
     m_chords.clear();
     m_spokes.clear();
     std::vector<Chord> result;
-    for(Vertex_handle vertex : m_boundary_vertices) {
-      auto face = m_triangulation.incident_faces(vertex);
-      const auto first = face;
-      do {
-        const int i = Triangulation::ccw(face->index(vertex)); // its edge that ends at the vertex
-        if(face->is_in_domain() && !face->is_constrained(i))
-          collect(face->vertex(Triangulation::ccw(i)), vertex, result);
-      } while(++face != first);
-    }
+    for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
+      if(vertex->is_on_boundary()) // of the patch, or of the part it is cut into
+        find_repeated_around(vertex, result);
     return result;
+  }
+
+  void find_repeated_around(Vertex_handle vertex, std::vector<Chord>& repeated)
+  {
+    auto face = m_triangulation.incident_faces(vertex);
+    const auto first = face;
+    do {
+      const int i = Triangulation::ccw(face->index(vertex)); // its edge that ends at the vertex
+      if(face->is_in_domain() && !face->is_constrained(i))
+        collect(face->vertex(Triangulation::ccw(i)), vertex, repeated);
+    } while(++face != first);
   }
 
   void collect(Vertex_handle v, Vertex_handle w, std::vector<Chord>& repeated)

@@ -135,7 +135,7 @@ public:
   void split_chords(typename Indexed_mesh<Kernel>::Chords& chords)
   {
     Phase_timer timer(m_report.seconds.improvement);
-    Chord_splitter<Evaluator> split_chords(m_triangulation, m_evaluator, m_boundary_vertices, chords);
+    Chord_splitter<Evaluator> split_chords(m_triangulation, m_evaluator, chords);
     split_chords();
   }
 
