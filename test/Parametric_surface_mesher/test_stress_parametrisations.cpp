@@ -16,7 +16,6 @@
 #include <functional>
 #include <ostream>
 #include <stdexcept>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -404,15 +403,9 @@ TEST(Creases, flat_spline_of_degree_1)
   const Meshed m = mesh_and_check(Sample_surface(spline), domain_of(spline), Criteria().set_max_edge(0.1));
   expect_topology(m, 1, 1, 1);
   expect_positive_orientation(m);
-  // Edges of the boundary that run across a jump of a hundred times cannot be in good triangles. Some of those beside them lie
-  // on the wrong side, and are reported.
-  EXPECT_NEAR(1, m.area, 2e-3);
+  EXPECT_NEAR(1, m.area, 1e-9); // nothing is turned over
+  // Edges of the boundary that run across a jump of a hundred times cannot be in good triangles, which costs some around.
   EXPECT_LE(m.triangles.size(), 4 * number_of_equilateral_triangles(1, 0.1));
-  std::set<std::size_t> listed;
-  for(const auto& unmet : m.report.unmet)
-    listed.insert(unmet.face);
-  for(std::size_t t = 0; t < m.triangles.size(); ++t)
-    EXPECT_TRUE(m.area_vector(t).z() > 0 || listed.count(t) == 1) << t;
 }
 
 // A surface that is defined on a disc only, and may not be asked outside the box around it.

@@ -103,12 +103,39 @@ private:
 
   void repair(Face_handle face)
   {
+    if(is_inverted(face) && turn_over(face))
+      return;
     for(int i = 0; i < 3; ++i)
       if(flip_if_better(face, i))
         return;
     for(int i = 0; i < 3; ++i)
-      if(!face->vertex(i)->is_on_boundary() && move_if_better(face->vertex(i)))
+      if(!face->vertex(i)->is_on_boundary()
+         && move_if(face->vertex(i), [this](Vertex_handle vertex) { return find_better_place(vertex); }))
         return;
+  }
+
+  // A face on the wrong side of the surface is the worst there is, whatever angles it costs to turn it over.
+  bool turn_over(Face_handle face)
+  {
+    for(int i = 0; i < 3; ++i)
+      if(flip_if_turning(face, i))
+        return true;
+    for(int i = 0; i < 3; ++i)
+      if(!face->vertex(i)->is_on_boundary()
+         && move_if(face->vertex(i), [this](Vertex_handle vertex) { return find_turning_place(vertex); }))
+        return true;
+    return false;
+  }
+
+  bool is_inverted(Face_handle face) const
+  {
+    return m_evaluate.oracle().is_inverted(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point());
+  }
+
+  template <class Faces>
+  std::size_t number_of_inverted(const Faces& faces) const
+  {
+    return std::size_t(std::count_if(faces.begin(), faces.end(), [this](Face_handle face) { return is_inverted(face); }));
   }
 
   // Notes the state of changed faces; these and their neighbours are looked at again.
@@ -148,11 +175,28 @@ private:
     const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
     if(!(edge.worst_after(metric, sine) > 1.01 * edge.worst_before(metric, sine)) || !edge.is_valid())
       return false;
+    const std::size_t failures = number_of_failures(edge.faces());
+    return flip_if(edge, [&] { return number_of_failures(edge.faces()) <= failures; });
+  }
+
+  bool flip_if_turning(Face_handle face, int i)
+  {
+    if(face->is_constrained(i))
+      return false;
+    Edge_flip<Triangulation> edge(m_triangulation, face, i);
+    if(!edge.is_valid())
+      return false;
+    const std::size_t inverted = number_of_inverted(edge.faces());
+    return flip_if(edge, [&] { return number_of_inverted(edge.faces()) < inverted; });
+  }
+
+  template <class IsBetter>
+  bool flip_if(Edge_flip<Triangulation>& edge, const IsBetter& is_better)
+  {
     const auto faces = edge.faces();
     const Face_state states[] = {faces[0]->state(), faces[1]->state()};
-    const std::size_t failures = number_of_failures(faces);
     edge.flip();
-    if(number_of_failures(faces) <= failures) {
+    if(is_better()) {
       note(faces);
       return true;
     }
@@ -162,14 +206,16 @@ private:
     return false;
   }
 
-  bool move_if_better(Vertex_handle vertex)
+  // `find_place`: moves the vertex, or returns `false`.
+  template <class FindPlace>
+  bool move_if(Vertex_handle vertex, const FindPlace& find_place)
   {
     m_star.collect(vertex);
     m_states.clear();
     for(Face_handle face : m_star.faces())
       m_states.push_back(face->state());
     const Point old_point = vertex->point();
-    if(find_better_place(vertex)) {
+    if(find_place(vertex)) {
       note(m_star.faces());
       return true;
     }
@@ -201,6 +247,25 @@ private:
     }
     m_star.move_to(best_point);
     return !(best_point == old_point);
+  }
+
+  // the first one with fewer faces on the wrong side
+  bool find_turning_place(Vertex_handle vertex)
+  {
+    const Point old_point = vertex->point();
+    const std::size_t inverted = number_of_inverted(m_star.faces());
+    collect_positions(vertex);
+    for(const Point_2& position : m_positions) {
+      if(!m_star.is_around(position))
+        continue;
+      const Point point = m_evaluate.position(position, vertex->spacing()).point;
+      if(!is_far_enough(point, old_point))
+        continue;
+      m_star.move_to(point);
+      if(number_of_inverted(m_star.faces()) < inverted)
+        return true;
+    }
+    return false;
   }
 
   // from its neighbours, or no closer to them than now
