@@ -1,7 +1,8 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Insertion one by one against CGAL's own, the order of a front, and iteration with lookahead.
+// Insertion one by one against CGAL's own, the order of a front and its tiles, and iteration with lookahead.
+#include <CGAL/Parametric_surface_mesher/internal/Domain_tiles.h>
 #include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
 #include <CGAL/Parametric_surface_mesher/internal/Front_queue.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
@@ -179,4 +180,20 @@ TEST(Recent_values, are_those_of_the_function)
       EXPECT_EQ(function(p), recent(p, function));
       EXPECT_EQ(1, number_of_calls);
     }
+}
+
+// A closed surface before it has any inner vertex: all corners of its domain are one point in space.
+TEST(Domain_tiles, are_counted_by_tensors)
+{
+  Triangulation t;
+  for(const Point_2& p : {Point_2(0, 0), Point_2(4, 0), Point_2(4, 1), Point_2(0, 1)})
+    t.insert(Triangulation::Point(p, CGAL::ORIGIN, CGAL::Metric_tensor_2(1, 0, 1)))->set_spacing(0.01);
+  for(Face_handle face : t.finite_face_handles())
+    face->set_in_domain(true);
+  const internal::Domain_tiles tiles(t); // for 4 / (sqrt(3) / 2 * 0.01^2) = 46,188 points
+  EXPECT_GE(tiles.size(), 30u);
+  EXPECT_LE(tiles.size(), 60u);
+  EXPECT_EQ(0u, tiles(0, 0));
+  EXPECT_EQ(tiles.size() - 1, tiles(4, 1));
+  EXPECT_EQ(tiles(1, 0.1), tiles(1.1, 0.05)); // as wide as high, in space
 }

@@ -57,7 +57,7 @@ class Advancing_front
 public:
   Advancing_front(Triangulation& triangulation, Inner_points& points, std::size_t max_number_of_vertices, Visitor& visitor)
     : m_triangulation(triangulation), m_points(points), m_visitor(visitor),
-      m_tiles(triangulation, points.evaluate().oracle().metric()), m_queue(m_tiles.size()),
+      m_tiles(triangulation), m_queue(m_tiles.size()),
       m_max_number_of_vertices(max_number_of_vertices)
   {}
 

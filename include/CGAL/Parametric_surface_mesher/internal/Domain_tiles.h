@@ -4,8 +4,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DOMAIN_TILES_H
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Kernel/global_functions_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,14 +26,14 @@ class Domain_tiles
   std::size_t m_columns = 1, m_rows = 1;
 
 public:
-  template <class Triangulation, class MetricField>
-  Domain_tiles(const Triangulation& triangulation, const MetricField& metric)
+  template <class Triangulation>
+  explicit Domain_tiles(const Triangulation& triangulation)
   {
     double number_of_points = 0, e = 0, g = 0;
     for(const auto face : triangulation.finite_face_handles()) {
-      if(!face->is_in_domain() || is_collapsed(face))
+      if(!face->is_in_domain())
         continue;
-      number_of_points += 0.5 * number_of_equilateral_triangles(face, metric);
+      number_of_points += 0.5 * number_of_equilateral_triangles(face);
       for(int i = 0; i < 3; ++i) {
         m_box += face->vertex(i)->point().bbox();
         e += face->vertex(i)->point().tensor().e();
@@ -70,13 +69,18 @@ private:
     return share > 0 ? (std::min)(std::size_t(share * double(n)), n - 1) : 0;
   }
 
-  // of the wanted size, with the area of the face
-  template <class Face_handle, class MetricField>
-  static double number_of_equilateral_triangles(Face_handle face, const MetricField& metric)
+  // Of the wanted size, with the area of the face. By tensors, since the corners of a face that crosses a closed surface can be
+  // one point in space.
+  template <class Face_handle>
+  static double number_of_equilateral_triangles(Face_handle face)
   {
-    const double area = 0.25 * std::sqrt((std::max)(squared_area_16(squared_lengths(face, metric)), 0.));
-    const double spacing = (face->vertex(0)->spacing() + face->vertex(1)->spacing() + face->vertex(2)->spacing()) / 3;
-    return area / (0.25 * std::sqrt(3.) * spacing * spacing);
+    double stretch = 0, spacing = 0;
+    for(int i = 0; i < 3; ++i) {
+      stretch += std::sqrt((std::max)(face->vertex(i)->point().tensor().determinant(), 0.)) / 3;
+      spacing += face->vertex(i)->spacing() / 3;
+    }
+    const auto &p = face->vertex(0)->point(), &q = face->vertex(1)->point(), &r = face->vertex(2)->point();
+    return stretch * area(p.domain_point(), q.domain_point(), r.domain_point()) / (0.25 * std::sqrt(3.) * spacing * spacing);
   }
 };
 
