@@ -62,7 +62,7 @@ public:
     if(!is_read || !(s.radius >= 0) || !(s.length > 0)
        || !std::isfinite(s.x + s.y + s.z + s.radius + s.length))
       throw Usage_error("--" + option + ": '" + item
-                                    + "' must be X,Y,Z,R:L, with a radius R of at least 0 and a positive length L");
+                        + "' must be X,Y,Z,R:L, with a radius R of at least 0 and a positive length L");
     m_spheres.push_back(s);
   }
 };
