@@ -99,12 +99,15 @@ public:
     return result;
   }
 
-  double squared_smallest_sine(const Point& center) const
+  // of any angle; what is not above `least` need not be the smallest
+  double squared_smallest_sine(const Point& center, double least = 0) const
   {
-    double result = 1;
-    for_each_triangle(center, [&](std::size_t, const std::array<double, 3>& lengths) {
-      result = (std::min)(result, face_measures(lengths).squared_smallest_sine);
-    });
+    double result = 1, previous = m_metric.squared_length(center, ring_point(0));
+    for(std::size_t k = 0; k < m_ring.size() && result > least; ++k) {
+      const double next = m_metric.squared_length(center, ring_point(k + 1));
+      result = (std::min)(result, face_measures({m_squared_lengths[k], next, previous}).squared_smallest_sine);
+      previous = next;
+    }
     return result;
   }
 
@@ -176,9 +179,20 @@ public:
   // moves the centre
   void move_to(const Point& point)
   {
+    try_at(point);
+    unsettle_ring();
+  }
+
+  // moves the centre, perhaps not for good
+  void try_at(const Point& point)
+  {
     m_center->set_point(point);
     for(Face_handle face : m_faces)
-      face->touch();
+      face->touch_by_vertex(face->index(m_center));
+  }
+
+  void unsettle_ring()
+  {
     for(Vertex_handle vertex : m_ring)
       vertex->set_settled(false);
   }
