@@ -92,7 +92,8 @@ public:
       const double newton = t - excess / m_speed(t) * (to.parameter > from.parameter ? 1 : -1);
       const bool is_inside = (newton - t0) * (newton - t1) < 0;
       t = is_inside ? newton : 0.5 * (t0 + t1);
-      if(t == t0 || t == t1)
+      const bool is_last_step = is_inside && std::fabs(excess) <= 1e-7 * length(); // leaves the square of that
+      if(t == t0 || t == t1 || is_last_step)
         break;
     }
     return {s, t};
