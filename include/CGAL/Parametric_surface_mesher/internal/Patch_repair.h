@@ -141,7 +141,7 @@ private:
     }
   }
 
-  // How many fail a criterion; those that fail another one than the angle count twice. More than `limit` need not be counted;
+  // How many fail a criterion; those that fail another one than the angle count twice. Above `limit` the count may stop;
   // else the state of all faces is known after it.
   template <class Faces>
   std::size_t number_of_failures(const Faces& faces, std::size_t limit = std::size_t(-1)) const
