@@ -8,6 +8,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -273,18 +274,17 @@ public:
     static constexpr double allowance_of_good_shape = 1.2;
 
     const Oracle& m_oracle;
-    double m_gamma, m_squared_sine, m_squared_size_factor, m_squared_gamma, m_squared_distance, m_squared_divisible_edge;
+    double m_squared_sine, m_squared_size_factor;
+    Parametric_surface_mesher::internal::Deviation_limits m_limits;
 
   public:
     Is_bad(const Parametric_surface_mesh_criteria& criteria, const Oracle& oracle)
-      : m_oracle(oracle), m_gamma(criteria.gamma())
+      : m_oracle(oracle), m_limits{criteria.gamma(), criteria.distance() * criteria.distance(),
+                                   4 * criteria.min_edge() * criteria.min_edge()}
     {
       const double sine = std::sin(criteria.angle() * std::atan(1.) / 45);
       m_squared_sine = sine * sine;
       m_squared_size_factor = criteria.size_factor() * criteria.size_factor();
-      m_squared_gamma = criteria.gamma() * criteria.gamma();
-      m_squared_distance = criteria.distance() * criteria.distance();
-      m_squared_divisible_edge = 4 * criteria.min_edge() * criteria.min_edge();
     }
 
     /// the patch.
@@ -327,12 +327,14 @@ public:
       if(shape != Mesh_2::NOT_BAD)
         return shape;
       quality.criterion = Mesh_criterion::DEVIATION;
-      quality.badness = squared_deviation(f, m_oracle, m_gamma, m_squared_divisible_edge) / m_squared_gamma;
+      const Squared_deviation deviation = squared_deviation_of_edges(f, m_oracle, m_limits);
+      quality.badness = deviation.ratio / (m_limits.gamma * m_limits.gamma);
       if(!(quality.badness > 1) && m_oracle.is_inverted(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()))
         quality.badness = 2;
-      if(!(quality.badness > 1) && m_squared_distance > 0) {
+      if(!(quality.badness > 1) && m_limits.squared_distance > 0) {
         quality.criterion = Mesh_criterion::DISTANCE;
-        quality.badness = squared_distance_to_surface(f, m_oracle, m_gamma, m_squared_divisible_edge) / m_squared_distance;
+        quality.badness = (std::max)(deviation.height, squared_distance_at_centroid(f, m_oracle, m_limits))
+                          / m_limits.squared_distance;
       }
       return (*this)(quality);
     }

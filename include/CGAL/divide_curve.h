@@ -15,6 +15,9 @@
 #include <cstddef>
 #include <limits>
 #include <sstream>
+#include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -104,6 +107,7 @@ class Curve_division
   const Size& m_size;
   const Parametric_surface_mesh_criteria& m_criteria;
   std::vector<Curve_position> m_positions;
+  mutable std::unordered_map<double, double> m_sizes; // as far as they were asked for
 
 public:
   Curve_division(const Curve& curve, const ArcLength& arc_length, const Size& size,
@@ -120,10 +124,11 @@ public:
   // halving by deviation and size, then until no piece is more than twice as long as its neighbour
   void halve()
   {
-    halve_where([this](std::size_t i) {
-      return deviates(m_positions[i], m_positions[i + 1]) || is_oversized(m_positions[i], m_positions[i + 1]);
-    });
-    halve_where([this](std::size_t i) { return length(i) > 2.01 * shortest_neighbor(i); });
+    const std::vector<Curve_position> positions(std::move(m_positions));
+    m_positions.assign(1, positions.front());
+    for(std::size_t i = 0; i + 1 < positions.size(); ++i)
+      append_halves(positions[i], positions[i + 1]);
+    halve_long_neighbors();
   }
 
   std::vector<double> parameters() const
@@ -146,27 +151,54 @@ private:
     return result;
   }
 
-  template <class Predicate>
-  void halve_where(Predicate is_too_long)
+  Curve_position middle(const Curve_position& from, const Curve_position& to) const
+  {
+    return m_arc_length.position_between(from, to, from.length + 0.5 * (to.length - from.length));
+  }
+
+  bool is_divisible(const Curve_position& from, const Curve_position& to) const
+  {
+    return to.length - from.length >= 2 * m_criteria.min_edge();
+  }
+
+  // appends the points of a piece but for its first one
+  void append_halves(const Curve_position& from, const Curve_position& to)
+  {
+    if(is_divisible(from, to) && (deviates(from, to) || is_oversized(from, to))) {
+      const Curve_position between = middle(from, to);
+      append_halves(from, between);
+      append_halves(between, to);
+    }
+    else {
+      m_positions.push_back(to);
+      check_number();
+    }
+  }
+
+  void halve_long_neighbors()
   {
     for(bool changed = true; changed;) {
       changed = false;
       std::vector<Curve_position> finer(1, m_positions.front());
       for(std::size_t i = 0; i + 1 < m_positions.size(); ++i) {
-        if(length(i) >= 2 * m_criteria.min_edge() && is_too_long(i)) {
-          finer.push_back(m_arc_length.position_between(m_positions[i], m_positions[i + 1],
-                                                        m_positions[i].length + 0.5 * length(i)));
+        if(is_divisible(m_positions[i], m_positions[i + 1]) && length(i) > 2.01 * shortest_neighbor(i)) {
+          finer.push_back(middle(m_positions[i], m_positions[i + 1]));
           changed = true;
         }
         finer.push_back(m_positions[i + 1]);
       }
       m_positions.swap(finer);
-      if(m_positions.size() > m_criteria.max_number_of_vertices())
-        throw Parametric_surface_mesh_error("a boundary curve is divided into more than the allowed number of "
-                                            + std::to_string(m_criteria.max_number_of_vertices())
-                                            + " vertices; a larger minimum edge length than "
-                                            + describe(m_criteria.min_edge()) + " would help");
+      check_number();
     }
+  }
+
+  void check_number() const
+  {
+    if(m_positions.size() > m_criteria.max_number_of_vertices())
+      throw Parametric_surface_mesh_error("a boundary curve is divided into more than the allowed number of "
+                                          + std::to_string(m_criteria.max_number_of_vertices())
+                                          + " vertices; a larger minimum edge length than "
+                                          + describe(m_criteria.min_edge()) + " would help");
   }
 
   static double interpolate(const Curve_position& from, const Curve_position& to, double share)
@@ -178,9 +210,18 @@ private:
   bool is_oversized(const Curve_position& from, const Curve_position& to) const
   {
     for(double share : {0., 0.5, 1.})
-      if(to.length - from.length > 1.4 * m_size(interpolate(from, to, share)))
+      if(to.length - from.length > 1.4 * size(interpolate(from, to, share)))
         return true;
     return false;
+  }
+
+  // It costs much, and pieces share their ends.
+  double size(double t) const
+  {
+    const auto found = m_sizes.emplace(t, 0);
+    if(found.second)
+      found.first->second = m_size(t);
+    return found.first->second;
   }
 
   // The arc height is taken at the quarters too: at an inflection the middle lies on the chord.
@@ -234,9 +275,8 @@ std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_me
   CGAL_precondition(number_of_edges > 0 || (criteria.max_edge() > 0 && criteria.min_edge() > 0));
   const auto speed = [&curve](double t) { return curve.speed(t); };
   typedef Parametric_surface_mesher::internal::Arc_length<decltype(speed)> Arc_length;
-  const double rough_length = Arc_length(speed, curve.begin(), curve.end(), 4).length();
-  const std::size_t table_size = std::size_t((std::min)((std::max)(rough_length / criteria.max_edge(), 4.), 1e5));
-  const Arc_length arc_length(speed, curve.begin(), curve.end(), table_size);
+  Arc_length arc_length(speed, curve.begin(), curve.end(), 4);
+  arc_length.refine(std::size_t((std::min)(arc_length.length() / criteria.max_edge(), 1e5)));
   if(!(arc_length.length() > 0))
     return {curve.begin(), curve.end()};
 

@@ -58,6 +58,21 @@ Face_measures face_measures(Face_handle f, const MetricField& metric)
   return face_measures(squared_lengths(f, metric));
 }
 
+// How far the surface may be from a triangle.
+struct Deviation_limits
+{
+  double gamma;                  // largest H/L of an edge
+  double squared_distance;       // 0 for no limit
+  double squared_divisible_edge; // edges that are not longer have no H/L
+};
+
+// How far the surface is from a triangle; edges that are known to be close to it are left out.
+struct Squared_deviation
+{
+  double ratio = 0;  // (H/L)^2
+  double height = 0; // H^2, if the distance is limited
+};
+
 // Notes an edge as close to the surface, in both its faces.
 template <class Face_handle>
 void set_close(Face_handle f, int i)
@@ -67,52 +82,63 @@ void set_close(Face_handle f, int i)
   across->set_close(across->index(f));
 }
 
-// The largest (H/L)^2 over the edges that are not constrained, and long enough to be divided. An edge below `gamma` is noted
-// in both its faces, and not evaluated again.
-template <class Face_handle, class Oracle>
-double squared_deviation(Face_handle f, const Oracle& oracle, double gamma, double squared_divisible_edge)
+template <class Face_handle>
+double squared_length_in_space(Face_handle f, int i)
 {
-  double worst = 0;
+  return squared_distance(f->vertex((i + 1) % 3)->point().surface_point(), f->vertex((i + 2) % 3)->point().surface_point());
+}
+
+// Whether an edge is long enough to be divided.
+template <class Face_handle>
+bool has_divisible_edge(Face_handle f, const Deviation_limits& limits)
+{
+  return squared_length_in_space(f, 0) > limits.squared_divisible_edge
+         || squared_length_in_space(f, 1) > limits.squared_divisible_edge
+         || squared_length_in_space(f, 2) > limits.squared_divisible_edge;
+}
+
+// The largest deviation at the edges that are not constrained. An edge within the limits is noted in both its faces, and not
+// evaluated again. A triangle whose edges are all too short to be divided is left alone.
+template <class Face_handle, class Oracle>
+Squared_deviation squared_deviation_of_edges(Face_handle f, const Oracle& oracle, const Deviation_limits& limits)
+{
+  Squared_deviation worst;
+  const bool has_distance = limits.squared_distance > 0;
+  if(!has_divisible_edge(f, limits))
+    return worst;
   for(int i = 0; i < 3; ++i) {
     if(f->is_constrained(i) || f->is_close(i))
       continue;
-    const auto &p = f->vertex((i + 1) % 3)->point(), &q = f->vertex((i + 2) % 3)->point();
-    const double squared_length = squared_distance(p.surface_point(), q.surface_point());
-    const double deviation
-      = squared_length > squared_divisible_edge ? oracle.squared_height(p, q, gamma) / squared_length : 0;
-    if(deviation <= gamma * gamma)
+    const double squared_length = squared_length_in_space(f, i);
+    const bool is_divisible = squared_length > limits.squared_divisible_edge;
+    const double height
+      = is_divisible || has_distance
+          ? oracle.squared_height(f->vertex((i + 1) % 3)->point(), f->vertex((i + 2) % 3)->point(), limits.gamma)
+          : 0;
+    const double ratio = is_divisible ? height / squared_length : 0;
+    if(ratio <= limits.gamma * limits.gamma && !(has_distance && height > limits.squared_distance))
       set_close(f, i);
-    worst = (std::max)(worst, deviation);
+    worst.ratio = (std::max)(worst.ratio, ratio);
+    worst.height = (std::max)(worst.height, height);
   }
   return worst;
 }
 
-// The largest squared distance from the surface, at the middles of the edges that are not constrained and
-// at the centroid. A triangle whose edges are all too short to be divided is left alone.
+// The squared distance of the surface at the centroid from the plane of the triangle, unless its edges are all too short.
 template <class Face_handle, class Oracle>
-double squared_distance_to_surface(Face_handle f, const Oracle& oracle, double gamma, double squared_divisible_edge)
+double squared_distance_at_centroid(Face_handle f, const Oracle& oracle, const Deviation_limits& limits)
 {
   const auto &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
   const auto &p = a.surface_point(), &q = b.surface_point(), &r = c.surface_point();
-  double worst = 0, longest = 0;
-  for(int i = 0; i < 3; ++i) {
-    const auto &s = f->vertex((i + 1) % 3)->point(), &t = f->vertex((i + 2) % 3)->point();
-    longest = (std::max)(longest, squared_distance(s.surface_point(), t.surface_point()));
-    if(!f->is_constrained(i))
-      worst = (std::max)(worst, oracle.squared_height(s, t, gamma));
-  }
-  if(longest <= squared_divisible_edge)
-    return 0;
   const auto normal = cross_product(q - p, r - p);
   const double area = normal * normal;
-  if(area > 0) {
-    const typename Oracle::Geom_traits::Point_2 centroid((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
-    const double height = normal * (oracle.surface().point(centroid.x(), centroid.y()) - p);
-    if(!std::isfinite(height))
-      throw_not_finite(oracle.surface(), centroid);
-    worst = (std::max)(worst, height * height / area);
-  }
-  return worst;
+  if(!(area > 0) || !has_divisible_edge(f, limits))
+    return 0;
+  const typename Oracle::Geom_traits::Point_2 centroid((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
+  const double height = normal * (oracle.surface().point(centroid.x(), centroid.y()) - p);
+  if(!std::isfinite(height))
+    throw_not_finite(oracle.surface(), centroid);
+  return height * height / area;
 }
 
 } // namespace internal

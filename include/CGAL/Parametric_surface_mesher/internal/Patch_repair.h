@@ -7,8 +7,9 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/Edge_flip.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
+#include <CGAL/Parametric_surface_mesher/internal/Face_turning.h>
+#include <CGAL/Parametric_surface_mesher/internal/Kept_states.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Point_placement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
 #include <CGAL/number_utils.h>
 
@@ -41,22 +42,34 @@ class Patch_repair
   typedef typename Kernel::Point_2 Point_2;
   typedef Vertex_star<Triangulation, typename Evaluator::Oracle::Metric_field> Star;
 
+  // where a vertex might go, and the smallest angle that this would give, as far as the surface can be told from the vertex
+  struct Candidate
+  {
+    Point_2 position;
+    double squared_sine;
+  };
+
+  static constexpr double least_gain = 1.01; // of the squared sine
+
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   const IsBad& m_is_bad;
   double m_squared_sine, m_squared_min_edge;
   Star m_star;
-  std::vector<Face_state> m_states; // of its faces
+  Kept_states<Face_handle> m_states;
+  Face_turning<Evaluator> m_turn_over;
   std::deque<Face_handle> m_queue;
   std::unordered_set<Face_handle> m_waiting; // those in the queue
-  std::vector<Point_2> m_positions;
+  std::vector<Point_2> m_apices;
+  std::vector<Candidate> m_candidates;
 
 public:
   Patch_repair(Triangulation& triangulation, const Evaluator& evaluate, const IsBad& is_bad,
                const Parametric_surface_mesh_criteria& criteria)
     : m_triangulation(triangulation), m_evaluate(evaluate), m_is_bad(is_bad),
       m_squared_sine(square(std::sin(criteria.improvement_angle() * std::atan(1.) / 45))),
-      m_squared_min_edge(square(criteria.min_edge())), m_star(triangulation, evaluate.oracle().metric())
+      m_squared_min_edge(square(criteria.min_edge())), m_star(triangulation, evaluate.oracle().metric()),
+      m_turn_over(triangulation, evaluate, m_squared_min_edge)
   {}
 
   // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more
@@ -66,6 +79,8 @@ public:
   void operator()(const GoFurther& go_further)
   {
     std::size_t attempts_left = 1000 + m_triangulation.number_of_faces() / 20;
+    for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
+      vertex->set_settled(false);
     for(Face_handle face : m_triangulation.finite_face_handles())
       if(face->is_in_domain())
         add_if_poor(face);
@@ -101,51 +116,36 @@ private:
       m_queue.push_back(face);
   }
 
+  // A vertex that has no better place is settled until its star changes.
   void repair(Face_handle face)
   {
-    if(is_inverted(face) && turn_over(face))
+    if(m_turn_over.is_inverted(face) && turn_over(face))
       return;
     for(int i = 0; i < 3; ++i)
       if(flip_if_better(face, i))
         return;
-    for(int i = 0; i < 3; ++i)
-      if(!face->vertex(i)->is_on_boundary()
-         && move_if(face->vertex(i), [this](Vertex_handle vertex) { return find_better_place(vertex); }))
+    for(int i = 0; i < 3; ++i) {
+      const Vertex_handle vertex = face->vertex(i);
+      if(vertex->is_on_boundary() || vertex->is_settled())
+        continue;
+      if(move_if_better(vertex))
         return;
+      vertex->set_settled(true);
+    }
   }
 
-  // A face on the wrong side of the surface is the worst there is, whatever angles it costs to turn it over.
   bool turn_over(Face_handle face)
   {
-    for(int i = 0; i < 3; ++i)
-      if(flip_if_turning(face, i))
-        return true;
-    for(int i = 0; i < 3; ++i)
-      if(!face->vertex(i)->is_on_boundary()
-         && move_if(face->vertex(i), [this](Vertex_handle vertex) { return find_turning_place(vertex); }))
-        return true;
-    return false;
+    const std::vector<Face_handle>& changed = m_turn_over(face);
+    number_of_failures(changed); // their states are known then
+    add_around(changed);
+    return !changed.empty();
   }
 
-  bool is_inverted(Face_handle face) const
-  {
-    return m_evaluate.oracle().is_inverted(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point());
-  }
-
+  // changed faces and their neighbours are looked at again
   template <class Faces>
-  std::size_t number_of_inverted(const Faces& faces) const
+  void add_around(const Faces& changed)
   {
-    return std::size_t(std::count_if(faces.begin(), faces.end(), [this](Face_handle face) { return is_inverted(face); }));
-  }
-
-  // Notes the state of changed faces; these and their neighbours are looked at again.
-  template <class Faces>
-  void note(const Faces& changed)
-  {
-    for(Face_handle face : changed) {
-      face->touch();
-      face->set_state(badness(face) == Mesh_2::NOT_BAD ? Face_state::GOOD : Face_state::BLOCKED);
-    }
     for(Face_handle face : changed) {
       add_if_poor(face);
       for(int i = 0; i < 3; ++i)
@@ -154,14 +154,20 @@ private:
     }
   }
 
-  // How many fail a criterion; those that fail another one than the angle count twice.
+  // How many fail a criterion; those that fail another one than the angle count twice. Above `limit` the count may stop;
+  // else the state of all faces is known after it.
   template <class Faces>
-  std::size_t number_of_failures(const Faces& faces) const
+  std::size_t number_of_failures(const Faces& faces, std::size_t limit = std::size_t(-1)) const
   {
     std::size_t result = 0;
     for(Face_handle face : faces) {
+      if(face->state() == Face_state::GOOD)
+        continue;
       const Mesh_2::Face_badness found = badness(face);
+      face->set_state(found == Mesh_2::NOT_BAD ? Face_state::GOOD : Face_state::BLOCKED);
       result += std::size_t(found != Mesh_2::NOT_BAD) + std::size_t(found == Mesh_2::IMPERATIVELY_BAD);
+      if(result > limit)
+        break;
     }
     return result;
   }
@@ -173,126 +179,73 @@ private:
     Edge_flip<Triangulation> edge(m_triangulation, face, i);
     const auto& metric = m_evaluate.oracle().metric();
     const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
-    if(!(edge.worst_after(metric, sine) > 1.01 * edge.worst_before(metric, sine)) || !edge.is_valid())
+    if(!(edge.worst_after(metric, sine) > least_gain * edge.worst_before(metric, sine)) || !edge.is_valid())
       return false;
-    const std::size_t failures = number_of_failures(edge.faces());
-    return flip_if(edge, [&] { return number_of_failures(edge.faces()) <= failures; });
-  }
-
-  bool flip_if_turning(Face_handle face, int i)
-  {
-    if(face->is_constrained(i))
-      return false;
-    Edge_flip<Triangulation> edge(m_triangulation, face, i);
-    if(!edge.is_valid())
-      return false;
-    const std::size_t inverted = number_of_inverted(edge.faces());
-    return flip_if(edge, [&] { return number_of_inverted(edge.faces()) < inverted; });
-  }
-
-  template <class IsBetter>
-  bool flip_if(Edge_flip<Triangulation>& edge, const IsBetter& is_better)
-  {
     const auto faces = edge.faces();
-    const Face_state states[] = {faces[0]->state(), faces[1]->state()};
+    const std::size_t failures = number_of_failures(faces);
+    m_states.keep(faces);
     edge.flip();
-    if(is_better()) {
-      note(faces);
+    if(number_of_failures(faces, failures) <= failures) {
+      add_around(faces);
       return true;
     }
     edge.undo();
-    for(int k = 0; k < 2; ++k)
-      faces[k]->set_state(states[k]);
+    m_states.give_back();
     return false;
   }
 
-  // `find_place`: moves the vertex, or returns `false`.
-  template <class FindPlace>
-  bool move_if(Vertex_handle vertex, const FindPlace& find_place)
+  bool move_if_better(Vertex_handle vertex)
   {
     m_star.collect(vertex);
-    m_states.clear();
-    for(Face_handle face : m_star.faces())
-      m_states.push_back(face->state());
     const Point old_point = vertex->point();
-    if(find_place(vertex)) {
-      note(m_star.faces());
-      return true;
-    }
-    m_star.move_to(old_point);
-    for(std::size_t k = 0; k < m_states.size(); ++k)
-      m_star.faces()[k]->set_state(m_states[k]);
-    return false;
-  }
-
-  bool find_better_place(Vertex_handle vertex)
-  {
-    const Point old_point = vertex->point();
-    Point best_point = old_point;
-    double best_sine = m_star.squared_smallest_sine(old_point);
-    const std::size_t failures = number_of_failures(m_star.faces());
-    collect_positions(vertex);
-    for(const Point_2& position : m_positions) {
-      if(!m_star.is_around(position))
+    const double old_sine = m_star.squared_smallest_sine(old_point);
+    collect_candidates(vertex, least_gain * old_sine);
+    std::size_t failures = 0;
+    bool is_tried = false;
+    for(const Candidate& candidate : m_candidates) {
+      if(!m_star.is_around(candidate.position))
         continue;
-      const Point point = m_evaluate.position(position, vertex->spacing()).point;
-      const double sine = m_star.squared_smallest_sine(point);
-      if(!(sine > 1.01 * best_sine) || !is_far_enough(point, old_point))
+      const Point point = m_evaluate.position(candidate.position, vertex->spacing()).point;
+      const double least = least_gain * old_sine;
+      if(!(m_star.squared_smallest_sine(point, least) > least) || !m_star.is_far_enough(point, old_point, m_squared_min_edge))
         continue;
-      m_star.move_to(point);
-      if(number_of_failures(m_star.faces()) <= failures) {
-        best_sine = sine;
-        best_point = point;
+      if(!is_tried) {
+        failures = number_of_failures(m_star.faces());
+        m_states.keep(m_star.faces());
+        is_tried = true;
+      }
+      m_star.try_at(point);
+      if(number_of_failures(m_star.faces(), failures) <= failures) {
+        m_star.unsettle_ring();
+        add_around(m_star.faces());
+        return true;
       }
     }
-    m_star.move_to(best_point);
-    return !(best_point == old_point);
-  }
-
-  // the first one with fewer faces on the wrong side
-  bool find_turning_place(Vertex_handle vertex)
-  {
-    const Point old_point = vertex->point();
-    const std::size_t inverted = number_of_inverted(m_star.faces());
-    collect_positions(vertex);
-    for(const Point_2& position : m_positions) {
-      if(!m_star.is_around(position))
-        continue;
-      const Point point = m_evaluate.position(position, vertex->spacing()).point;
-      if(!is_far_enough(point, old_point))
-        continue;
-      m_star.move_to(point);
-      if(number_of_inverted(m_star.faces()) < inverted)
-        return true;
+    if(is_tried) {
+      m_star.try_at(old_point);
+      m_states.give_back();
     }
     return false;
   }
 
-  // from its neighbours, or no closer to them than now
-  bool is_far_enough(const Point& point, const Point& old_point) const
+  // Places that may give a smallest angle above that of `least`, the best first.
+  void collect_candidates(Vertex_handle vertex, double least)
   {
-    const double squared_distance = m_star.squared_distance_to_ring(point);
-    return squared_distance >= m_squared_min_edge || squared_distance >= m_star.squared_distance_to_ring(old_point);
-  }
-
-  // Towards the apices of equilateral triangles over the edges of the star, and towards their mean, by shares of the way.
-  void collect_positions(Vertex_handle vertex)
-  {
-    m_positions.clear();
-    std::vector<Point_2> apices;
-    double x = 0, y = 0;
-    for(Face_handle face : m_star.faces()) {
-      const int i = face->index(vertex);
-      apices.push_back(Point_placement<Kernel>::apex(face->vertex((i + 1) % 3)->point(),
-                                                     face->vertex((i + 2) % 3)->point(), 0.87));
-      x += apices.back().x();
-      y += apices.back().y();
-    }
-    apices.emplace_back(x / double(m_star.faces().size()), y / double(m_star.faces().size()));
+    m_star.apices(m_apices);
+    m_candidates.clear();
     const Point& p = vertex->point();
-    for(const Point_2& apex : apices)
-      for(double share : {1., 0.5, 0.25, 0.1})
-        m_positions.emplace_back(p.x() + share * (apex.x() - p.x()), p.y() + share * (apex.y() - p.y()));
+    const auto jet = m_evaluate.position(p, vertex->spacing()).jet;
+    for(const Point_2& apex : m_apices)
+      for(double share : {1., 0.5, 0.25, 0.1}) {
+        const double u = share * (apex.x() - p.x()), v = share * (apex.y() - p.y());
+        const Point_2 position(p.x() + u, p.y() + v);
+        const auto move = u * jet.du + v * jet.dv + (0.5 * u * u) * jet.duu + (u * v) * jet.duv + (0.5 * v * v) * jet.dvv;
+        const double sine = m_star.squared_smallest_sine(Point(position, p.surface_point() + move, p.tensor()), least);
+        if(sine > least)
+          m_candidates.push_back({position, sine});
+      }
+    std::stable_sort(m_candidates.begin(), m_candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.squared_sine > b.squared_sine; });
   }
 };
 

@@ -102,6 +102,14 @@ public:
     m_close_edges = 0;
     m_state = Face_state::UNKNOWN;
   }
+
+  // the same when vertex `i` alone has changed: the edge opposite to it is as close to the surface as it was
+  void touch_by_vertex(int i)
+  {
+    const std::uint8_t close_edge = m_close_edges & std::uint8_t(1 << i);
+    touch();
+    m_close_edges = close_edge;
+  }
 };
 
 template <class Kernel>

@@ -52,6 +52,8 @@ public:
   // without the sizing field
   double by_curvature(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
   {
+    if(jet.duu == NULL_VECTOR && jet.duv == NULL_VECTOR && jet.dvv == NULL_VECTOR)
+      return m_criteria.max_edge();
     const double limit = limit_for(Surface_curvature_3<Kernel>(jet).max_absolute_curvature());
     // around a singular point the lines bend however small the edges are, and the oracle does not count that
     if(m_oracle.is_near_singular_point(jet.point, limit / (6 * m_criteria.gamma())))

@@ -4,6 +4,8 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_VERTEX_STAR_H
 
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
+#include <CGAL/Parametric_surface_mesher/internal/Point_placement.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -56,6 +58,8 @@ public:
   typedef typename Point::Domain_point_2 Point_2;
 
 private:
+  typedef Point_placement<typename Kernel_traits<Point_2>::Kernel> Placement;
+
   const Triangulation& m_triangulation;
   const MetricField& m_metric;
   Vertex_handle m_center;
@@ -99,12 +103,15 @@ public:
     return result;
   }
 
-  double squared_smallest_sine(const Point& center) const
+  // of any angle; what is not above `least` need not be the smallest
+  double squared_smallest_sine(const Point& center, double least = 0) const
   {
-    double result = 1;
-    for_each_triangle(center, [&](std::size_t, const std::array<double, 3>& lengths) {
-      result = (std::min)(result, face_measures(lengths).squared_smallest_sine);
-    });
+    double result = 1, previous = m_metric.squared_length(center, ring_point(0));
+    for(std::size_t k = 0; k < m_ring.size() && result > least; ++k) {
+      const double next = m_metric.squared_length(center, ring_point(k + 1));
+      result = (std::min)(result, face_measures({m_squared_lengths[k], next, previous}).squared_smallest_sine);
+      previous = next;
+    }
     return result;
   }
 
@@ -150,6 +157,26 @@ public:
     return Point_2(p.x() + x / double(m_ring.size()), p.y() + y / double(m_ring.size()));
   }
 
+  // The apices of equilateral triangles over the edges of the ring by the tensors there, and last their mean.
+  void apices(std::vector<Point_2>& result) const
+  {
+    result.clear();
+    double x = 0, y = 0;
+    for(std::size_t k = 0; k < m_ring.size(); ++k) {
+      result.push_back(Placement::apex(ring_point(k), ring_point(k + 1), 0.87));
+      x += result.back().x();
+      y += result.back().y();
+    }
+    result.emplace_back(x / double(m_ring.size()), y / double(m_ring.size()));
+  }
+
+  // from the ring, or no closer to it than `old_point`
+  bool is_far_enough(const Point& point, const Point& old_point, double squared_min_distance) const
+  {
+    const double squared_distance = squared_distance_to_ring(point);
+    return squared_distance >= squared_min_distance || squared_distance >= squared_distance_to_ring(old_point);
+  }
+
   // Whether all triangles stay positively oriented with their centre there; exact.
   bool is_around(const Point_2& position) const
   {
@@ -176,9 +203,20 @@ public:
   // moves the centre
   void move_to(const Point& point)
   {
+    try_at(point);
+    unsettle_ring();
+  }
+
+  // moves the centre, perhaps not for good
+  void try_at(const Point& point)
+  {
     m_center->set_point(point);
     for(Face_handle face : m_faces)
-      face->touch();
+      face->touch_by_vertex(face->index(m_center));
+  }
+
+  void unsettle_ring()
+  {
     for(Vertex_handle vertex : m_ring)
       vertex->set_settled(false);
   }

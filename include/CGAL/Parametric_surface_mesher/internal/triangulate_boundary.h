@@ -60,11 +60,13 @@ public:
   void operator()(const Evaluator& evaluate)
   {
     const std::vector<Evaluated> evaluated = evaluate_all(evaluate);
-    insert_points(mean_tensor(evaluated));
+    const bool is_uniform = have_one_tensor(evaluated);
+    insert_points(is_uniform ? evaluated.front().point.tensor() : mean_tensor(evaluated));
     insert_constraints();
     mark_domain();
     set_points(evaluated);
-    make_locally_delaunay();
+    if(!is_uniform) // else it is Delaunay already
+      make_locally_delaunay();
   }
 
   // the vertices of the points of the loops, loop by loop
@@ -91,6 +93,13 @@ private:
                                           "everywhere on the boundary, at (u,v) = "
                                           + describe(m_loops[0][0].domain_point) + " for one");
     return result;
+  }
+
+  // as those of a plane do
+  static bool have_one_tensor(const std::vector<Evaluated>& evaluated)
+  {
+    return std::all_of(evaluated.begin(), evaluated.end(),
+                       [&](const Evaluated& e) { return e.point.tensor() == evaluated.front().point.tensor(); });
   }
 
   static Metric_tensor_2 mean_tensor(const std::vector<Evaluated>& evaluated)
