@@ -10,6 +10,8 @@
 #include <CGAL/Parametric_surface_mesh_parameters.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesh_visitor.h>
+#include <CGAL/Parametric_surface_mesher/internal/Face_graph_filler.h>
+#include <CGAL/Parametric_surface_mesher/internal/Output_maps.h>
 #include <CGAL/Parametric_surface_mesher/internal/leave_out_bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/mesh_model.h>
 #include <CGAL/Parametric_surface_mesher/internal/model_of_patch.h>
@@ -37,25 +39,20 @@ Visitor& unwrap(Visitor& visitor) { return visitor; }
 template <class Visitor>
 Visitor& unwrap(std::reference_wrapper<Visitor>& visitor) { return visitor.get(); }
 
-// a property map that forgets what it is told
-template <class Key, class Value>
-struct Ignoring_property_map
-{
-  typedef Key key_type;
-  typedef Value value_type;
-  typedef Value reference;
-  typedef boost::writable_property_map_tag category;
-  friend void put(const Ignoring_property_map&, const Key&, const Value&) {}
-};
-
 template <class NamedParameters>
 constexpr bool wants_corner_points()
 {
   return !parameters::is_default_parameter<NamedParameters, Halfedge_uv_map_t>::value;
 }
 
+template <class NamedParameters>
+constexpr bool wants_domain_points()
+{
+  return !parameters::is_default_parameter<NamedParameters, Vertex_uv_map_t>::value;
+}
+
 // Hands a finished mesh to the user's data structure.
-template <class Kernel, class TriangleMesh, class NamedParameters>
+template <class ConcurrencyTag, class Kernel, class TriangleMesh, class NamedParameters>
 void output(Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParameters& np)
 {
   using parameters::choose_parameter;
@@ -73,13 +70,15 @@ void output(Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParameters&
   const auto face_patch_id_map
     = choose_parameter(get_parameter(np, Face_patch_id_map_t()),
                        Ignoring_property_map<typename Graph_traits::face_descriptor, std::size_t>());
-  add_to_face_graph(mesh, tm, make_output_maps(vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map));
+  add_to_face_graph<ConcurrencyTag>(
+    mesh, tm, make_output_maps(vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map));
 }
 
 // Meshes a model and hands the result over to `finish`, with the division. `Numbering` orders the points of the division.
 template <class ConcurrencyTag, class Model, class Criteria, class NamedParameters, class Numbering, class Finish>
 Parametric_surface_mesh_report mesh_model(const Model& model, const Criteria& criteria, const NamedParameters& np,
-                                          bool keeps_corner_points, Numbering number_points, Finish finish)
+                                          bool keeps_domain_points, bool keeps_corner_points, Numbering number_points,
+                                          Finish finish)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -93,12 +92,13 @@ Parametric_surface_mesh_report mesh_model(const Model& model, const Criteria& cr
   auto division = mesher.divide();
   number_points(division);
   Indexed_mesh<Kernel> mesh;
+  mesh.keeps_domain_points = keeps_domain_points;
   mesh.keeps_corner_points = keeps_corner_points;
   mesher.template mesh_faces<ConcurrencyTag>(division, mesh);
   Phase_timer timer(report.seconds.output);
   visitor.on_phase("output");
   finish(division, mesh);
-  report.number_of_vertices = mesh.points.size();
+  report.number_of_vertices = mesh.number_of_points();
   return report;
 }
 
@@ -107,11 +107,12 @@ template <class ConcurrencyTag, class Model, class Criteria, class TriangleMesh,
 Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& model, const Criteria& criteria,
                                                const NamedParameters& np, Numbering number_points)
 {
-  return mesh_model<ConcurrencyTag>(model, criteria, np, wants_corner_points<NamedParameters>(), number_points,
-                    [&](const auto& division, auto& mesh) {
-                      separate_pieces(mesh, shells(model), division.meeting_points());
-                      output(mesh, tm, np);
-                    });
+  return mesh_model<ConcurrencyTag>(model, criteria, np, wants_domain_points<NamedParameters>(),
+                                    wants_corner_points<NamedParameters>(), number_points,
+                                    [&](const auto& division, auto& mesh) {
+                                      separate_pieces<ConcurrencyTag>(mesh, shells(model), division.meeting_points());
+                                      output<ConcurrencyTag>(mesh, tm, np);
+                                    });
 }
 
 } // namespace internal

@@ -3,12 +3,39 @@
 #ifndef CGAL_MAKE_PARAMETRIC_SURFACE_TRIANGLE_SOUP_H
 #define CGAL_MAKE_PARAMETRIC_SURFACE_TRIANGLE_SOUP_H
 
+#include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>
 #include <CGAL/make_parametric_surface_mesh.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
+
+namespace Parametric_surface_mesher {
+namespace internal {
+
+template <class ConcurrencyTag, class Kernel, class Point_3, class Triangle>
+void fill_triangle_soup(const Indexed_mesh<Kernel>& mesh, std::vector<Point_3>& points, std::vector<Triangle>& triangles,
+                        std::vector<std::size_t>& patch_ids)
+{
+  points.assign(mesh.points.begin(), mesh.points.end());
+  points.resize(mesh.number_of_points());
+  triangles.resize(mesh.number_of_faces());
+  patch_ids.resize(mesh.number_of_faces());
+  for_each_index<ConcurrencyTag>(mesh.parts.size(), [&](std::size_t i) {
+    const auto& part = mesh.parts[i];
+    std::copy(part.points.begin(), part.points.end(), points.begin() + part.first_point);
+    for(std::size_t f = 0; f < part.faces.size(); ++f) {
+      std::copy(part.faces[f].begin(), part.faces[f].end(), triangles[part.first_face + f].begin());
+      patch_ids[part.first_face + f] = part.patch;
+    }
+  });
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
 
 /*!
 \ingroup PkgParametricSurfaceMesherFunctions
@@ -36,7 +63,8 @@ What the three ranges held before is lost, unless the input is refused: then the
 \return counts, smallest angles, what was not met and why, and the time of each phase
 \throws Parametric_surface_mesh_error as `make_parametric_surface_mesh()`
 */
-template <class ConcurrencyTag = Sequential_tag, class Surface, class Criteria, class Point_3, class Triangle, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class Surface, class Criteria, class Point_3, class Triangle,
+          class NamedParameters = parameters::Default_named_parameters>
 Parametric_surface_mesh_report
 make_parametric_surface_triangle_soup(const Parametric_surface_model_3<Surface>& model, const Criteria& criteria,
                                       std::vector<Point_3>& points, std::vector<Triangle>& triangles,
@@ -45,12 +73,11 @@ make_parametric_surface_triangle_soup(const Parametric_surface_model_3<Surface>&
 {
   using namespace Parametric_surface_mesher::internal;
   return mesh_valid_model(model, np, [&](const auto& valid_model) {
-    return mesh_model<ConcurrencyTag>(valid_model, criteria, np, false, [](auto& division) { division.number_vertices_first(); },
-                      [&](const auto&, const auto& mesh) {
-                        points.assign(mesh.points.begin(), mesh.points.end());
-                        triangles.assign(mesh.faces.begin(), mesh.faces.end());
-                        patch_ids = mesh.patches;
-                      });
+    return mesh_model<ConcurrencyTag>(valid_model, criteria, np, false, false,
+                                      [](auto& division) { division.number_vertices_first(); },
+                                      [&](const auto&, const auto& mesh) {
+                                        fill_triangle_soup<ConcurrencyTag>(mesh, points, triangles, patch_ids);
+                                      });
   });
 }
 

@@ -14,11 +14,13 @@
 #include <check_invariants.h>
 #include <mesher_test_helpers.h>
 
+#include <boost/property_map/property_map.hpp>
 #include <tbb/global_control.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,7 @@ void check_same_mesh(const Model& model, const Criteria& criteria)
   const Report b = mesh_with_threads(model, criteria, parallel);
   ASSERT_GT(sequential.number_of_faces(), 0u);
   check_identical(sequential, parallel);
+  check_identical_connectivity(sequential, parallel);
   EXPECT_EQ(a.smallest_angle, b.smallest_angle);
   EXPECT_EQ(a.number_of_replaced_tensors, b.number_of_replaced_tensors);
   ASSERT_EQ(a.unmet.size(), b.unmet.size());
@@ -132,6 +135,22 @@ TEST(Parallel, triangle_soup)
   EXPECT_EQ(a, b);
   EXPECT_EQ(ta, tb);
   EXPECT_EQ(ids_a, ids_b);
+}
+
+// Maps that several threads cannot write are filled by one.
+TEST(Parallel, property_maps_that_are_no_arrays)
+{
+  const auto model = teapot();
+  const Criteria criteria = Criteria().set_max_edge(teapot_max_edge);
+  Mesh a, b;
+  std::map<Mesh::Face_index, std::size_t> patches_a, patches_b;
+  CGAL::make_parametric_surface_mesh(model, criteria, a,
+                                     CGAL::parameters::face_patch_id_map(boost::make_assoc_property_map(patches_a)));
+  CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(
+    model, criteria, b, CGAL::parameters::face_patch_id_map(boost::make_assoc_property_map(patches_b)));
+  EXPECT_EQ(a.number_of_faces(), patches_a.size());
+  EXPECT_EQ(patches_a, patches_b);
+  check_identical_connectivity(a, b);
 }
 
 // Of several bad faces the first one is named, and the mesh stays as it was.

@@ -67,6 +67,7 @@ Result mesh_sample(const Sample& sample, const Criteria& criteria, int number_of
 void check_same(const Result& a, const Result& b)
 {
   check_identical(a.mesh, b.mesh);
+  check_identical_connectivity(a.mesh, b.mesh);
   EXPECT_EQ(a.report.smallest_angle, b.report.smallest_angle);
   EXPECT_EQ(a.report.number_of_replaced_tensors, b.report.number_of_replaced_tensors);
   ASSERT_EQ(a.report.unmet.size(), b.report.unmet.size());
@@ -318,6 +319,7 @@ TEST(Split_patch_of_model, box_and_ring)
     CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(sample.model, criteria, parallel,
                                                            CGAL::parameters::vertex_uv_map(uv_map(parallel)));
     check_identical(sequential, parallel);
+  check_identical_connectivity(sequential, parallel);
     const CGAL::Triangle_mesh_quality q = CGAL::triangle_mesh_quality(sequential);
     EXPECT_TRUE(q.is_manifold);
     EXPECT_TRUE(q.is_closed);

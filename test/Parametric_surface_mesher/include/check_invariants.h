@@ -80,6 +80,20 @@ inline void check_identical(const Mesh& a, const Mesh& b)
     ASSERT_EQ(corners(a, f), corners(b, f)) << f;
 }
 
+// and the same halfedges
+inline void check_identical_connectivity(const Mesh& a, const Mesh& b)
+{
+  ASSERT_EQ(a.number_of_halfedges(), b.number_of_halfedges());
+  for(const auto h : a.halfedges()) {
+    ASSERT_EQ(a.target(h), b.target(h)) << h;
+    ASSERT_EQ(a.next(h), b.next(h)) << h;
+    ASSERT_EQ(a.prev(h), b.prev(h)) << h;
+    ASSERT_EQ(a.face(h), b.face(h)) << h;
+  }
+  for(const auto v : a.vertices())
+    ASSERT_EQ(a.halfedge(v), b.halfedge(v)) << v;
+}
+
 // Compares what the report lists with what the triangles fail by the measures of mesher_test_helpers.h.
 // The default metric is expected, and a mesh of one patch.
 template <class Surface>

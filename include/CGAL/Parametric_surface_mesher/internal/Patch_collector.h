@@ -7,13 +7,13 @@
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
-#include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/Partial_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_chart_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Triangle_twins.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <unordered_map>
@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Appends the triangles of a refined patch to a mesh that already holds its boundary vertices, and notes in the report
-// what each of them fails.
+// Makes a part of a mesh of a refined patch, whose boundary vertices are in the mesh already, and notes in the report what
+// each triangle fails.
 template <class Kernel>
 class Patch_collector
 {
@@ -32,20 +32,21 @@ class Patch_collector
   typedef typename Triangulation::Face_handle Face_handle;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Kernel::Point_2 Point_2;
+  typedef Partial_mesh<Kernel> Part;
+  typedef typename Part::Index Index;
 
   Triangulation& m_triangulation;
   const Patch_chart_2<Kernel>& m_chart;
   std::unordered_map<Vertex_handle, Point_2> m_boundary_points; // in the domain, of a patch with a chart
-  Indexed_mesh<Kernel>& m_mesh;
+  Part& m_part;
   Parametric_surface_mesh_report& m_report;
-  std::size_t m_first_inner_index;
   double m_squared_sine = 1, m_squared_sine_off_boundary = 1; // of the smallest angles
 
 public:
-  // `first_inner_index`: of the points of the mesh, 0 unless its first points are elsewhere
-  Patch_collector(Triangulation& triangulation, const Patch_chart_2<Kernel>& chart, Indexed_mesh<Kernel>& mesh,
-                  Parametric_surface_mesh_report& report, std::size_t first_inner_index = 0)
-    : m_triangulation(triangulation), m_chart(chart), m_mesh(mesh), m_report(report), m_first_inner_index(first_inner_index)
+  // \pre the part is empty
+  Patch_collector(Triangulation& triangulation, const Patch_chart_2<Kernel>& chart, Part& part,
+                  Parametric_surface_mesh_report& report)
+    : m_triangulation(triangulation), m_chart(chart), m_part(part), m_report(report)
   {}
 
   // To be called for a patch with a chart: on the way through the chart the domain points of boundary vertices would be
@@ -60,11 +61,11 @@ public:
 
   // `refinement` tells which faces are bad and why they were left
   template <class Refinement>
-  void operator()(const Refinement& refinement)
+  void operator()(const Refinement& refinement, bool keeps_domain_points, bool keeps_corner_points)
   {
-    append_vertices();
-    make_room(m_mesh.faces, m_triangulation.number_of_faces());
-    make_room(m_mesh.twins, 3 * m_triangulation.number_of_faces());
+    append_vertices(keeps_domain_points);
+    m_part.faces.reserve(m_triangulation.number_of_faces());
+    m_part.halfedges.reserve(m_triangulation.number_of_faces());
     for_each_face_with_lookahead(m_triangulation, [&](Face_handle face) {
       if(!face->is_in_domain())
         return;
@@ -74,6 +75,8 @@ public:
       }
       note(face, refinement);
       append(face);
+      if(keeps_corner_points)
+        m_part.corner_points.push_back({corner_point(face, 0), corner_point(face, 1), corner_point(face, 2)});
     });
     m_report.smallest_angle = (std::min)(m_report.smallest_angle, degrees(m_squared_sine));
     m_report.smallest_angle_off_boundary
@@ -81,59 +84,52 @@ public:
   }
 
 private:
-  // Reserves what a patch needs; with some more, so that many patches do not copy all before them each time.
-  template <class T>
-  static void make_room(std::vector<T>& v, std::size_t n)
+  void append_vertices(bool keeps_domain_points)
   {
-    if(v.size() + n > v.capacity())
-      v.reserve((std::max)(v.size() + n, v.size() + v.size() / 2));
-  }
-
-  void append_vertices()
-  {
-    make_room(m_mesh.points, m_triangulation.number_of_vertices());
-    make_room(m_mesh.domain_points, m_triangulation.number_of_vertices());
+    m_part.points.reserve(m_triangulation.number_of_vertices());
+    m_part.domain_points.reserve(keeps_domain_points ? m_triangulation.number_of_vertices() : 0);
     for(const auto vertex : m_triangulation.finite_vertex_handles()) {
       if(vertex->is_on_boundary())
         continue;
-      vertex->set_index(m_first_inner_index + m_mesh.points.size());
-      m_mesh.points.push_back(vertex->point().surface_point());
-      m_mesh.domain_points.push_back(m_chart.domain_point(vertex->point().domain_point()));
+      vertex->set_index(Part::first_own_point + m_part.points.size());
+      m_part.points.push_back(vertex->point().surface_point());
+      if(keeps_domain_points)
+        m_part.domain_points.push_back(m_chart.domain_point(vertex->point().domain_point()));
     }
   }
 
   void append(Face_handle face)
   {
-    face->set_number(m_mesh.faces.size());
-    m_mesh.faces.push_back({face->vertex(0)->index(), face->vertex(1)->index(), face->vertex(2)->index()});
-    if(m_mesh.keeps_corner_points)
-      m_mesh.corner_points.push_back({corner_point(face, 0), corner_point(face, 1), corner_point(face, 2)});
-    append_twins(face);
-  }
-
-  // Inner edges have their twins in the triangulation. Others are found by their vertices, together with those of other
-  // patches: edges of the boundary, edges beside a collapsed triangle, and edges between two boundary vertices, which other
-  // patches might repeat.
-  void append_twins(Face_handle face)
-  {
-    m_mesh.twins.resize(3 * m_mesh.faces.size(), std::size_t(Triangle_twins::none));
+    face->set_number(m_part.faces.size());
+    std::array<Index, 3> halfedges = {};
     for(int i = 0; i < 3; ++i)
-      if(face->neighbor(i)->has_number() && has_inner_twin(face, i)) {
-        const std::size_t twin = side(face->neighbor(i), face->neighbor(i)->index(face));
-        m_mesh.twins[side(face, i)] = twin;
-        m_mesh.twins[twin] = side(face, i);
-      }
+      if(has_inner_twin(face, i))
+        halfedges[Triangulation::ccw(i)] = halfedge(face->neighbor(i), face);
+      else
+        m_part.border.push_back(Index(3 * face->number() + Triangulation::ccw(i)));
+    m_part.halfedges.push_back(halfedges);
+    m_part.faces.push_back({index(face->vertex(0)), index(face->vertex(1)), index(face->vertex(2))});
   }
 
+  static Index index(Vertex_handle vertex) { return Index(vertex->index()); }
+
+  // of the side towards `neighbor`, which has one of the same edge if it was appended before
+  Index halfedge(Face_handle neighbor, Face_handle face)
+  {
+    if(!neighbor->has_number())
+      return Index(2 * m_part.number_of_edges++);
+    return m_part.halfedges[neighbor->number()][Triangulation::ccw(neighbor->index(face))] + 1;
+  }
+
+  // Whether edge `i` is an edge of two triangles of the part. Others are found by their vertices, together with those of
+  // other parts: edges of the boundary, edges beside a collapsed triangle, and edges between two boundary vertices, which
+  // other parts might repeat. Side `k` of a triangle runs from corner `k` to the next one; edge `i` is opposite to corner `i`.
   bool has_inner_twin(Face_handle face, int i) const
   {
     const bool v_is_inner = !face->vertex(Triangulation::ccw(i))->is_on_boundary(),
                w_is_inner = !face->vertex(Triangulation::cw(i))->is_on_boundary();
     return (v_is_inner && w_is_inner) || ((v_is_inner || w_is_inner) && !is_collapsed(face->neighbor(i)));
   }
-
-  // side `k` of a triangle runs from corner `k` to the next one; edge `i` is opposite to corner `i`
-  static std::size_t side(Face_handle face, int i) { return 3 * face->number() + Triangulation::ccw(i); }
 
   Point_2 domain_point(Vertex_handle vertex) const
   {
@@ -159,7 +155,7 @@ private:
     typename Refinement::Quality quality;
     if(face->state() != Face_state::GOOD && refinement.is_bad()(face, quality) != Mesh_2::NOT_BAD) {
       const Unmet_cause cause = refinement.cause(face);
-      m_report.unmet.push_back({m_mesh.faces.size(), quality.criterion, cause});
+      m_report.unmet.push_back({m_part.faces.size(), quality.criterion, cause});
       if(cause == Unmet_cause::BOUNDARY)
         return;
     }

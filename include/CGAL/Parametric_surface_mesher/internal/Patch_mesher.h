@@ -10,6 +10,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Charted_surface_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Chord_splitter.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/Partial_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_collector.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_improvement.h>
@@ -122,16 +123,7 @@ public:
 
   std::size_t number_of_inner_vertices() const { return m_triangulation.number_of_vertices() - m_boundary_vertices.size(); }
 
-  // Appends the triangles to `mesh`, and what is to be told of them to `report`.
-  // `chords`: what joins boundary vertices of the patch's shell.
-  // \pre the boundary vertices are in `mesh` already
-  void collect(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords, Parametric_surface_mesh_report& report)
-  {
-    split_chords(chords);
-    collect(mesh, report, m_refine, 0);
-  }
-
-  // no two patches are to have the same chord
+  // No two patches are to have the same chord. `chords`: what joins boundary vertices of the patch's shell.
   void split_chords(typename Indexed_mesh<Kernel>::Chords& chords)
   {
     Phase_timer timer(m_report.seconds.improvement);
@@ -139,18 +131,21 @@ public:
     split_chords();
   }
 
-  // `causes`: tells why triangles were left bad, as the refinement does. `first_inner_index`: see `Patch_collector`
+  // The triangles, and what is to be told of them. `causes`: tells why triangles were left bad, as the refinement does.
+  // `mesh`: has the boundary vertices already
   template <class Causes>
-  void collect(Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report, const Causes& causes,
-               std::size_t first_inner_index)
+  Partial_mesh<Kernel> collect(const Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report,
+                               const Causes& causes)
   {
     report.seconds += m_report.seconds;
     report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
     Phase_timer timer(report.seconds.output);
-    Patch_collector<Kernel> collect(m_triangulation, m_surface.chart(), mesh, report, first_inner_index);
+    Partial_mesh<Kernel> part;
+    Patch_collector<Kernel> collect(m_triangulation, m_surface.chart(), part, report);
     if(!m_surface.chart().is_identity())
       collect.set_domain_points(m_boundary_vertices, without_collapsed_sides(m_loops));
-    collect(causes);
+    collect(causes, mesh.keeps_domain_points, mesh.keeps_corner_points);
+    return part;
   }
 
 private:

@@ -12,7 +12,6 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_parts.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_sketch.h>
 #include <CGAL/Parametric_surface_mesher/internal/Phase_timer.h>
-#include <CGAL/Parametric_surface_mesher/internal/append_meshes.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_by_weight.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>
 
@@ -78,8 +77,8 @@ class Split_patch_mesher
   const Criteria m_criteria;
   const Loops m_loops;
   Visitor& m_visitor;
-  std::unique_ptr<Mesher> m_whole; // null if the patch is split
-  std::vector<std::unique_ptr<Mesher>> m_parts, m_strips;
+  std::vector<std::unique_ptr<Mesher>> m_parts; // with the strips, in the end
+  bool m_is_whole = false;                      // then there is one part
   std::vector<Shared_vertex> m_shared; // of parts and strips; by index, from the first index on
   std::size_t m_first_index = 0, m_number_of_inner_vertices = 0;
   bool m_is_stopped = false;
@@ -97,11 +96,12 @@ public:
     if(may_be_split() && mesh_parts<ConcurrencyTag>())
       return;
     m_parts.clear();
-    m_strips.clear();
     m_shared.clear();
-    m_whole = std::make_unique<Mesher>(m_oracle, m_criteria, m_loops, m_visitor);
-    (*m_whole)();
-    m_number_of_inner_vertices = m_whole->number_of_inner_vertices();
+    m_is_whole = true;
+    m_report.number_of_replaced_tensors = 0; // of the sketch
+    m_parts.push_back(std::make_unique<Mesher>(m_oracle, m_criteria, m_loops, m_visitor));
+    (*m_parts.front())();
+    m_number_of_inner_vertices = m_parts.front()->number_of_inner_vertices();
   }
 
   // the divided boundary, in the domain
@@ -109,15 +109,14 @@ public:
 
   std::size_t number_of_inner_vertices() const { return m_number_of_inner_vertices; }
 
-  // see `Patch_mesher`
+  // Makes all ready to be collected: puts points that parts share into the mesh, and splits chords.
+  // `chords`: what joins boundary vertices of the patch's shell
   template <class ConcurrencyTag>
-  void collect(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords,
+  void prepare(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords,
                Parametric_surface_mesh_report& report)
   {
-    if(m_whole) {
-      m_whole->collect(mesh, chords, report);
-      return;
-    }
+    report.seconds += m_report.seconds;
+    report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
     for(Shared_vertex& vertex : m_shared) {
       if(vertex.index == not_shared)
         continue;
@@ -125,25 +124,27 @@ public:
       mesh.points.push_back(vertex.surface_point);
       mesh.domain_points.push_back(vertex.domain_point);
     }
-    std::move(m_strips.begin(), m_strips.end(), std::back_inserter(m_parts));
-    m_strips.clear();
     for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) {
-      number_shared_vertices(m_parts[i]->triangulation());
+      if(!m_is_whole)
+        number_shared_vertices(m_parts[i]->triangulation());
     });
     for(const auto& part : m_parts)
       part->split_chords(chords);
-    const std::size_t first_inner_index = mesh.points.size();
-    std::vector<Indexed_mesh<Kernel>> meshes(m_parts.size());
-    std::vector<Parametric_surface_mesh_report> reports(m_parts.size());
-    for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) {
-      meshes[i].keeps_corner_points = mesh.keeps_corner_points;
-      const Causes causes{m_parts[i]->refinement(), m_first_index, cause_at_cut()};
-      m_parts[i]->collect(meshes[i], reports[i], causes, first_inner_index);
-      m_parts[i].reset();
-    });
-    Phase_timer timer(report.seconds.output);
-    append_reports(reports, meshes, mesh.faces.size(), report);
-    append_meshes<ConcurrencyTag>(meshes, first_inner_index, mesh);
+  }
+
+  std::size_t number_of_parts() const { return m_parts.size(); }
+
+  // about as many, for a part
+  std::size_t number_of_triangles(std::size_t part) const { return m_parts[part]->triangulation().tds().number_of_faces(); }
+
+  // Collects the triangles of a part, which then is gone. This may be done for several at the same time.
+  // \pre `prepare()` was called
+  Partial_mesh<Kernel> collect(std::size_t part, const Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report)
+  {
+    const std::unique_ptr<Mesher> mesher = std::move(m_parts[part]);
+    if(m_is_whole)
+      return mesher->collect(mesh, report, mesher->refinement());
+    return mesher->collect(mesh, report, Causes{mesher->refinement(), m_first_index, cause_at_cut()});
   }
 
 private:
@@ -224,15 +225,16 @@ private:
     Cut_strips<Kernel> strips(parts, std::move(triangulations));
     for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) { strips.take_out(i); });
     strips.connect();
-    m_strips.resize(strips.sizes().size());
-    std::vector<std::size_t> numbers(m_strips.size()), numbers_taken(m_parts.size());
+    std::vector<std::unique_ptr<Mesher>> meshers(strips.sizes().size()); // of the strips
+    std::vector<std::size_t> numbers(meshers.size()), numbers_taken(m_parts.size());
     for_each_by_weight<ConcurrencyTag>(strips.sizes(), [&](std::size_t i) {
-      m_strips[i] = make_mesher({}, 0.1 / double(m_strips.size()), box);
-      const std::size_t number_on_border = strips.triangulate(i, m_strips[i]->triangulation());
-      m_strips[i]->refine_and_improve(false);
-      numbers[i] = m_strips[i]->number_of_inner_vertices() - number_on_border;
+      meshers[i] = make_mesher({}, 0.1 / double(meshers.size()), box);
+      const std::size_t number_on_border = strips.triangulate(i, meshers[i]->triangulation());
+      meshers[i]->refine_and_improve(false);
+      numbers[i] = meshers[i]->number_of_inner_vertices() - number_on_border;
     });
     for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) { numbers_taken[i] = strips.close(i); });
+    std::move(meshers.begin(), meshers.end(), std::back_inserter(m_parts));
     m_number_of_inner_vertices += std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
     m_number_of_inner_vertices -= std::accumulate(numbers_taken.begin(), numbers_taken.end(), std::size_t(0));
     for(std::size_t i = 0; i < strips.border().size(); ++i) {
@@ -253,24 +255,6 @@ private:
   }
 
   Unmet_cause cause_at_cut() const { return m_is_stopped ? Unmet_cause::STOPPED : Unmet_cause::NO_BETTER_POINT; }
-
-  void append_reports(const std::vector<Parametric_surface_mesh_report>& reports,
-                      const std::vector<Indexed_mesh<Kernel>>& meshes, std::size_t first_face,
-                      Parametric_surface_mesh_report& report) const
-  {
-    report.seconds += m_report.seconds;
-    report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
-    for(std::size_t i = 0; i < reports.size(); first_face += meshes[i].faces.size(), ++i) {
-      report.seconds += reports[i].seconds;
-      report.number_of_replaced_tensors += reports[i].number_of_replaced_tensors;
-      report.smallest_angle = (std::min)(report.smallest_angle, reports[i].smallest_angle);
-      report.smallest_angle_off_boundary
-        = (std::min)(report.smallest_angle_off_boundary, reports[i].smallest_angle_off_boundary);
-      report.number_of_collapsed_faces += reports[i].number_of_collapsed_faces;
-      for(const auto& unmet : reports[i].unmet)
-        report.unmet.push_back({first_face + unmet.face, unmet.criterion, unmet.cause});
-    }
-  }
 
   void number_shared_vertices(Triangulation& triangulation) const
   {

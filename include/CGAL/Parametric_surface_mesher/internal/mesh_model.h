@@ -10,11 +10,14 @@
 #include <CGAL/Parametric_surface_mesher/internal/Crossing_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/Partial_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Split_patch_mesher.h>
 #include <CGAL/Parametric_surface_mesher/internal/Synchronized_visitor.h>
+#include <CGAL/Parametric_surface_mesher/internal/append_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
 #include <CGAL/Parametric_surface_mesher/internal/describe.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_by_weight.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>
 #include <CGAL/Parametric_surface_mesher/internal/name_face.h>
 #include <CGAL/Parametric_surface_model_3.h>
@@ -113,14 +116,15 @@ public:
     division.append_to(mesh);
     if(!is_parallel<ConcurrencyTag>() || !mesh_faces_at_the_same_time<ConcurrencyTag>(division, mesh))
       for(std::size_t f = 0; f < m_model.faces().size(); ++f)
-        if(!m_model.faces()[f].loops.empty()) // else it was left out
-          with_name_of_face(m_model, f, [&] {
-            const Loops loops = division.boundary_loops(f);
-            Face_mesher mesher(m_oracles[f], criteria_of_face(f, loops, mesh.points.size()), loops, m_visitor);
-            mesher.template run<ConcurrencyTag>();
-            collect<ConcurrencyTag>(f, mesher, mesh);
-          });
-    m_report.number_of_faces = mesh.faces.size();
+        if(!m_model.faces()[f].loops.empty()) { // else it was left out
+          std::vector<Task> task(1);
+          task.front().face = f;
+          task.front().loops = division.boundary_loops(f);
+          run<ConcurrencyTag>(task.front(), mesh.number_of_points());
+          collect<ConcurrencyTag>(task, mesh);
+        }
+    mesh.template finish<ConcurrencyTag>();
+    m_report.number_of_faces = mesh.number_of_faces();
   }
 
 private:
@@ -128,7 +132,7 @@ private:
 
   typedef Boundary_loops<typename Model::Geom_traits> Loops;
 
-  // a face that is meshed while others are
+  // a face that is meshed, maybe while others are
   struct Task
   {
     std::size_t face;
@@ -143,20 +147,16 @@ private:
   bool mesh_faces_at_the_same_time(const Division& division, Mesh& mesh)
   {
     std::vector<Task> tasks = tasks_by_size(division);
-    for_each_index<ConcurrencyTag>(tasks.size(), [&](std::size_t i) { run<ConcurrencyTag>(tasks[i], mesh.points.size()); });
+    for_each_index<ConcurrencyTag>(tasks.size(),
+                                   [&](std::size_t i) { run<ConcurrencyTag>(tasks[i], mesh.number_of_points()); });
     std::sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.face < b.face; });
-    std::size_t number_of_vertices = mesh.points.size();
+    std::size_t number_of_vertices = mesh.number_of_points();
     for(const Task& task : tasks)
       if(!task.error)
         number_of_vertices += task.mesher->number_of_inner_vertices();
     if(number_of_vertices >= m_criteria.max_number_of_vertices())
       return false;
-    for(Task& task : tasks) {
-      if(task.error)
-        std::rethrow_exception(task.error);
-      with_name_of_face(m_model, task.face, [&] { collect<ConcurrencyTag>(task.face, *task.mesher, mesh); });
-      task.mesher.reset();
-    }
+    collect<ConcurrencyTag>(tasks, mesh);
     return true;
   }
 
@@ -188,18 +188,57 @@ private:
     }
   }
 
-  template <class ConcurrencyTag>
-  void collect(std::size_t number, Face_mesher& mesher, Mesh& mesh)
+  // a part of a face
+  struct Part
   {
-    const auto& face = m_model.faces()[number];
-    const std::size_t first = mesh.faces.size();
-    for(const auto& loop : mesher.loops())
+    Task* task;
+    std::size_t number;
+    Partial_mesh<typename Model::Geom_traits> mesh;
+    Parametric_surface_mesh_report report;
+  };
+
+  // \pre the tasks are in the order of their faces
+  template <class ConcurrencyTag>
+  void collect(std::vector<Task>& tasks, Mesh& mesh)
+  {
+    std::vector<Part> parts;
+    for(Task& task : tasks) {
+      prepare<ConcurrencyTag>(task, mesh);
+      for(std::size_t i = 0; i < task.mesher->number_of_parts(); ++i)
+        parts.push_back({&task, i, {}, {}});
+    }
+    std::vector<double> weights;
+    for(const Part& part : parts)
+      weights.push_back(double(part.task->mesher->number_of_triangles(part.number)));
+    for_each_by_weight<ConcurrencyTag>(weights, [&](std::size_t i) {
+      with_name_of_face(m_model, parts[i].task->face, [&] { collect(parts[i], mesh); });
+    });
+    for(Part& part : parts) {
+      append_report(part.report, mesh.number_of_faces(), m_report);
+      mesh.append(std::move(part.mesh));
+    }
+  }
+
+  void collect(Part& part, const Mesh& mesh) const
+  {
+    part.mesh = part.task->mesher->collect(part.number, mesh, part.report);
+    part.mesh.patch = part.task->face;
+    if(m_model.faces()[part.task->face].is_reversed)
+      part.mesh.reverse();
+  }
+
+  // what cannot be done for several faces at the same time
+  template <class ConcurrencyTag>
+  void prepare(Task& task, Mesh& mesh)
+  {
+    if(task.error)
+      std::rethrow_exception(task.error);
+    for(const auto& loop : task.loops)
       for(const auto& vertex : loop)
         mesh.domain_points[vertex.index] = vertex.domain_point;
-    mesher.template collect<ConcurrencyTag>(mesh, mesh.chords[face.shell], m_report);
-    if(face.is_reversed)
-      mesh.reverse_faces(first);
-    mesh.patches.resize(mesh.faces.size(), number);
+    with_name_of_face(m_model, task.face, [&] {
+      task.mesher->template prepare<ConcurrencyTag>(mesh, mesh.chords[m_model.faces()[task.face].shell], m_report);
+    });
   }
 
   static std::size_t number_of_edges(const Loops& loops)

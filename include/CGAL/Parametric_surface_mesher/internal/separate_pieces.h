@@ -4,6 +4,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SEPARATE_PIECES_H
 
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -22,10 +23,13 @@ namespace internal {
 template <class Kernel>
 class Piece_separator
 {
+  typedef typename Indexed_mesh<Kernel>::Part Part;
+  typedef typename Part::Index Index;
+
   // a corner of a triangle at one of the vertices
   struct Corner
   {
-    std::size_t face, number;
+    std::size_t part, face, number;
   };
 
   Indexed_mesh<Kernel>& m_mesh;
@@ -36,29 +40,39 @@ public:
   Piece_separator(Indexed_mesh<Kernel>& mesh, const std::vector<std::size_t>& shells) : m_mesh(mesh), m_shells(shells) {}
 
   // `vertices`: those where pieces may meet
-  void operator()(const std::vector<std::size_t>& vertices)
+  template <class ConcurrencyTag>
+  void separate(const std::vector<std::size_t>& vertices)
   {
-    const auto corners = corners_at(vertices);
+    const auto corners = corners_at<ConcurrencyTag>(vertices);
     std::vector<std::pair<Corner, std::size_t>> changes; // after all, since they are found by the old indices
     for(const auto& vertex : corners) {
       m_corners = vertex.second;
       append_changes(vertex.first, changes);
     }
     for(const auto& change : changes)
-      m_mesh.faces[change.first.face][change.first.number] = change.second;
+      m_mesh.parts[change.first.part].faces[change.first.face][change.first.number] = Index(change.second);
   }
 
 private:
+  // in the order of the faces
+  template <class ConcurrencyTag>
   std::map<std::size_t, std::vector<Corner>> corners_at(const std::vector<std::size_t>& vertices) const
   {
-    std::map<std::size_t, std::vector<Corner>> result;
     std::vector<bool> is_wanted(m_mesh.points.size(), false);
     for(std::size_t v : vertices)
       is_wanted[v] = true;
-    for(std::size_t f = 0; f < m_mesh.faces.size(); ++f)
-      for(std::size_t k = 0; k < 3; ++k)
-        if(is_wanted[m_mesh.faces[f][k]])
-          result[m_mesh.faces[f][k]].push_back({f, k});
+    std::vector<std::vector<Corner>> corners(m_mesh.parts.size()); // of each part
+    for_each_index<ConcurrencyTag>(corners.size(), [&](std::size_t p) {
+      const auto& faces = m_mesh.parts[p].faces;
+      for(std::size_t f = 0; f < faces.size(); ++f)
+        for(std::size_t k = 0; k < 3; ++k)
+          if(faces[f][k] < is_wanted.size() && is_wanted[faces[f][k]])
+            corners[p].push_back({p, f, k});
+    });
+    std::map<std::size_t, std::vector<Corner>> result;
+    for(const auto& corners_of_part : corners)
+      for(const Corner& corner : corners_of_part)
+        result[m_mesh.parts[corner.part].faces[corner.face][corner.number]].push_back(corner);
     return result;
   }
 
@@ -75,7 +89,7 @@ private:
     for(std::size_t i = 0; i < m_corners.size(); ++i) {
       const std::size_t piece = pieces.find_set(i);
       if(copies.count(piece) == 0)
-        copies[piece] = copies.empty() ? vertex : copy_of(vertex);
+        copies[piece] = copies.empty() ? vertex : m_mesh.copy_of(vertex);
       if(copies[piece] != vertex)
         changes.emplace_back(m_corners[i], copies[piece]);
     }
@@ -86,28 +100,22 @@ private:
   {
     std::map<std::pair<std::size_t, std::size_t>, std::array<std::vector<std::size_t>, 2>> result;
     for(std::size_t i = 0; i < m_corners.size(); ++i) {
-      const auto& face = m_mesh.faces[m_corners[i].face];
-      const std::size_t shell = m_shells[m_mesh.patches[m_corners[i].face]], k = m_corners[i].number;
+      const Part& part = m_mesh.parts[m_corners[i].part];
+      const auto& face = part.faces[m_corners[i].face];
+      const std::size_t shell = m_shells[part.patch], k = m_corners[i].number;
       result[{shell, face[(k + 1) % 3]}][0].push_back(i);
       result[{shell, face[(k + 2) % 3]}][1].push_back(i);
     }
     return result;
   }
-
-  std::size_t copy_of(std::size_t vertex)
-  {
-    m_mesh.points.push_back(typename Kernel::Point_3(m_mesh.points[vertex]));
-    m_mesh.domain_points.push_back(typename Kernel::Point_2(m_mesh.domain_points[vertex]));
-    return m_mesh.points.size() - 1;
-  }
 };
 
-template <class Kernel>
+template <class ConcurrencyTag, class Kernel>
 void separate_pieces(Indexed_mesh<Kernel>& mesh, const std::vector<std::size_t>& shells,
                      const std::vector<std::size_t>& vertices)
 {
-  Piece_separator<Kernel> separate(mesh, shells);
-  separate(vertices);
+  Piece_separator<Kernel> separator(mesh, shells);
+  separator.template separate<ConcurrencyTag>(vertices);
 }
 
 } // namespace internal
