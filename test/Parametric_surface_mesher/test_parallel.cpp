@@ -6,6 +6,7 @@
 
 #include <CGAL/IO/read_bezier_patches.h>
 #include <CGAL/Parametric_surface_mesh_visitor.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/make_model_of_rectangular_patches.h>
 #include <CGAL/make_parametric_surface_mesh.h>
 #include <CGAL/make_parametric_surface_triangle_soup.h>
@@ -89,6 +90,34 @@ Point_2 middle_of_domain(const Face& face)
   return CGAL::ORIGIN + sum / double(loop.size());
 }
 
+// one side of a pillow as narrow as its edges are long
+struct Side_of_pillow : sample_surfaces::From_jet<Side_of_pillow>
+{
+  double height;
+
+  explicit Side_of_pillow(double height) : height(height) {}
+
+  sample_surfaces::Jet jet(double u, double v) const
+  {
+    const double w = sample_surfaces::pi;
+    const double su = std::sin(w * u), cu = std::cos(w * u), sv = std::sin(w * v), cv = std::cos(w * v);
+    return {Point_3(10 * u, v, height * su * sv),
+            Vector_3(10, 0, height * w * cu * sv),
+            Vector_3(0, 1, height * w * su * cv),
+            Vector_3(0, 0, -height * w * w * su * sv),
+            Vector_3(0, 0, height * w * w * cu * cv),
+            Vector_3(0, 0, -height * w * w * su * sv)};
+  }
+};
+
+auto pillow()
+{
+  std::vector<sample_surfaces::Patch> patches;
+  for(const double height : {0.1, -0.1})
+    patches.emplace_back(Sample_surface(Side_of_pillow(height)), 0, 1, 0, 1);
+  return sample_surface_model(CGAL::make_model_of_rectangular_patches(patches));
+}
+
 struct Counting_visitor : CGAL::Parametric_surface_mesh_visitor
 {
   std::size_t number_of_phases = 0, number_of_questions = 0, last_question = std::size_t(-1);
@@ -135,6 +164,21 @@ TEST(Parallel, triangle_soup)
   EXPECT_EQ(a, b);
   EXPECT_EQ(ta, tb);
   EXPECT_EQ(ids_a, ids_b);
+}
+
+// Edges across both sides of a pillow would join the same vertices. With threads this is found when the second side was
+// collected already.
+TEST(Parallel, faces_with_common_chords)
+{
+  const auto model = pillow();
+  const Criteria criteria = Criteria().set_max_edge(1);
+  check_same_mesh(model, criteria);
+  Counting_visitor visitor;
+  Mesh mesh;
+  CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(model, criteria, mesh, CGAL::parameters::visitor(std::ref(visitor)));
+  EXPECT_GT(visitor.number_of_phases, 2 + 5 * model.faces().size());
+  EXPECT_TRUE(mesh.is_valid());
+  EXPECT_TRUE(CGAL::is_closed(mesh));
 }
 
 // Maps that several threads cannot write are filled by one.

@@ -109,14 +109,24 @@ public:
 
   std::size_t number_of_inner_vertices() const { return m_number_of_inner_vertices; }
 
+  // else it is in parts
+  bool is_whole() const { return m_is_whole; }
+
+  // Of a patch that is whole: none is left twice in the patch.
+  typename Indexed_mesh<Kernel>::Chords own_chords()
+  {
+    typename Indexed_mesh<Kernel>::Chords result;
+    m_parts.front()->split_chords(result);
+    return result;
+  }
+
   // Makes all ready to be collected: puts points that parts share into the mesh, and splits chords.
   // `chords`: what joins boundary vertices of the patch's shell
   template <class ConcurrencyTag>
   void prepare(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords,
                Parametric_surface_mesh_report& report)
   {
-    report.seconds += m_report.seconds;
-    report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
+    add_to(report);
     for(Shared_vertex& vertex : m_shared) {
       if(vertex.index == not_shared)
         continue;
@@ -132,13 +142,20 @@ public:
       part->split_chords(chords);
   }
 
+  // of what is not told of the parts
+  void add_to(Parametric_surface_mesh_report& report) const
+  {
+    report.seconds += m_report.seconds;
+    report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
+  }
+
   std::size_t number_of_parts() const { return m_parts.size(); }
 
   // about as many, for a part
   std::size_t number_of_triangles(std::size_t part) const { return m_parts[part]->triangulation().tds().number_of_faces(); }
 
   // Collects the triangles of a part, which then is gone. This may be done for several at the same time.
-  // \pre `prepare()` was called
+  // \pre `prepare()` was called, or the patch is whole
   Partial_mesh<Kernel> collect(std::size_t part, const Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report)
   {
     const std::unique_ptr<Mesher> mesher = std::move(m_parts[part]);

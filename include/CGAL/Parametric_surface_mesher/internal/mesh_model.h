@@ -117,11 +117,12 @@ public:
     if(!is_parallel<ConcurrencyTag>() || !mesh_faces_at_the_same_time<ConcurrencyTag>(division, mesh))
       for(std::size_t f = 0; f < m_model.faces().size(); ++f)
         if(!m_model.faces()[f].loops.empty()) { // else it was left out
-          std::vector<Task> task(1);
-          task.front().face = f;
-          task.front().loops = division.boundary_loops(f);
-          run<ConcurrencyTag>(task.front(), mesh.number_of_points());
-          collect<ConcurrencyTag>(task, mesh);
+          std::vector<Task> tasks(1);
+          tasks.front().face = f;
+          tasks.front().loops = division.boundary_loops(f);
+          tasks.front().number_of_vertices = mesh.number_of_points();
+          run<ConcurrencyTag>(tasks.front());
+          collect<ConcurrencyTag>(tasks, mesh);
         }
     mesh.template finish<ConcurrencyTag>();
     m_report.number_of_faces = mesh.number_of_faces();
@@ -132,12 +133,21 @@ private:
 
   typedef Boundary_loops<typename Model::Geom_traits> Loops;
 
+  // a part of a face
+  struct Part
+  {
+    Partial_mesh<typename Model::Geom_traits> mesh;
+    Parametric_surface_mesh_report report;
+  };
+
   // a face that is meshed, maybe while others are
   struct Task
   {
-    std::size_t face;
+    std::size_t face, number_of_vertices; // the number that the mesh has before
     Loops loops;
     std::unique_ptr<Face_mesher> mesher;
+    typename Mesh::Chords chords; // of a face that is not in parts
+    std::vector<Part> parts;      // as far as they are collected
     std::exception_ptr error;
   };
 
@@ -146,9 +156,8 @@ private:
   template <class ConcurrencyTag>
   bool mesh_faces_at_the_same_time(const Division& division, Mesh& mesh)
   {
-    std::vector<Task> tasks = tasks_by_size(division);
-    for_each_index<ConcurrencyTag>(tasks.size(),
-                                   [&](std::size_t i) { run<ConcurrencyTag>(tasks[i], mesh.number_of_points()); });
+    std::vector<Task> tasks = tasks_by_size(division, mesh.number_of_points());
+    for_each_index<ConcurrencyTag>(tasks.size(), [&](std::size_t i) { run_and_collect<ConcurrencyTag>(tasks[i], mesh); });
     std::sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.face < b.face; });
     std::size_t number_of_vertices = mesh.number_of_points();
     for(const Task& task : tasks)
@@ -161,12 +170,12 @@ private:
   }
 
   // the largest faces, by the edges of their boundaries, first
-  std::vector<Task> tasks_by_size(const Division& division) const
+  std::vector<Task> tasks_by_size(const Division& division, std::size_t number_of_vertices) const
   {
     std::vector<Task> result;
     for(std::size_t f = 0; f < m_model.faces().size(); ++f)
       if(!m_model.faces()[f].loops.empty())
-        result.push_back({f, division.boundary_loops(f), nullptr, nullptr});
+        result.push_back({f, number_of_vertices, division.boundary_loops(f), nullptr, {}, {}, nullptr});
     std::stable_sort(result.begin(), result.end(), [](const Task& a, const Task& b) {
       return number_of_edges(a.loops) > number_of_edges(b.loops);
     });
@@ -174,60 +183,66 @@ private:
   }
 
   template <class ConcurrencyTag>
-  void run(Task& task, std::size_t number_of_vertices) noexcept
+  void run(Task& task)
+  {
+    with_name_of_face(m_model, task.face, [&] {
+      const Criteria criteria = criteria_of_face(task.face, task.loops, task.number_of_vertices);
+      task.mesher = std::make_unique<Face_mesher>(m_oracles[task.face], criteria, task.loops, m_visitor);
+      task.mesher->template run<ConcurrencyTag>();
+      if(task.mesher->is_whole())
+        task.chords = task.mesher->own_chords();
+    });
+  }
+
+  // A face that is not in parts is collected at once, while its triangulation is in the cache, and to be rid of that.
+  template <class ConcurrencyTag>
+  void run_and_collect(Task& task, const Mesh& mesh) noexcept
   {
     try {
-      with_name_of_face(m_model, task.face, [&] {
-        task.mesher = std::make_unique<Face_mesher>(m_oracles[task.face], criteria_of_face(task.face, task.loops, number_of_vertices),
-                                                    task.loops, m_visitor);
-        task.mesher->template run<ConcurrencyTag>();
-      });
+      run<ConcurrencyTag>(task);
+      if(!task.mesher->is_whole())
+        return;
+      task.parts.resize(1);
+      collect(task, 0, mesh);
     }
     catch(...) {
       task.error = std::current_exception();
     }
   }
 
-  // a part of a face
-  struct Part
-  {
-    Task* task;
-    std::size_t number;
-    Partial_mesh<typename Model::Geom_traits> mesh;
-    Parametric_surface_mesh_report report;
-  };
-
   // \pre the tasks are in the order of their faces
   template <class ConcurrencyTag>
   void collect(std::vector<Task>& tasks, Mesh& mesh)
   {
-    std::vector<Part> parts;
+    std::vector<std::pair<Task*, std::size_t>> parts; // to be collected
+    std::vector<double> weights;
     for(Task& task : tasks) {
       prepare<ConcurrencyTag>(task, mesh);
-      for(std::size_t i = 0; i < task.mesher->number_of_parts(); ++i)
-        parts.push_back({&task, i, {}, {}});
+      for(std::size_t i = task.parts.size(); i < task.mesher->number_of_parts(); ++i) {
+        parts.emplace_back(&task, i);
+        weights.push_back(double(task.mesher->number_of_triangles(i)));
+      }
+      task.parts.resize(task.mesher->number_of_parts());
     }
-    std::vector<double> weights;
-    for(const Part& part : parts)
-      weights.push_back(double(part.task->mesher->number_of_triangles(part.number)));
-    for_each_by_weight<ConcurrencyTag>(weights, [&](std::size_t i) {
-      with_name_of_face(m_model, parts[i].task->face, [&] { collect(parts[i], mesh); });
-    });
-    for(Part& part : parts) {
-      append_report(part.report, mesh.number_of_faces(), m_report);
-      mesh.append(std::move(part.mesh));
-    }
+    for_each_by_weight<ConcurrencyTag>(weights, [&](std::size_t i) { collect(*parts[i].first, parts[i].second, mesh); });
+    for(Task& task : tasks)
+      for(Part& part : task.parts) {
+        append_report(part.report, mesh.number_of_faces(), m_report);
+        mesh.append(std::move(part.mesh));
+      }
   }
 
-  void collect(Part& part, const Mesh& mesh) const
+  void collect(Task& task, std::size_t number, const Mesh& mesh) const
   {
-    part.mesh = part.task->mesher->collect(part.number, mesh, part.report);
-    part.mesh.patch = part.task->face;
-    if(m_model.faces()[part.task->face].is_reversed)
+    Part& part = task.parts[number];
+    part.mesh = with_name_of_face(m_model, task.face, [&] { return task.mesher->collect(number, mesh, part.report); });
+    part.mesh.patch = task.face;
+    if(m_model.faces()[task.face].is_reversed)
       part.mesh.reverse();
   }
 
-  // what cannot be done for several faces at the same time
+  // What cannot be done for several faces at the same time. Few chords of a face are those of another one: then it is meshed
+  // once more if its triangulation is gone.
   template <class ConcurrencyTag>
   void prepare(Task& task, Mesh& mesh)
   {
@@ -236,9 +251,22 @@ private:
     for(const auto& loop : task.loops)
       for(const auto& vertex : loop)
         mesh.domain_points[vertex.index] = vertex.domain_point;
-    with_name_of_face(m_model, task.face, [&] {
-      task.mesher->template prepare<ConcurrencyTag>(mesh, mesh.chords[m_model.faces()[task.face].shell], m_report);
-    });
+    typename Mesh::Chords& chords = mesh.chords[m_model.faces()[task.face].shell];
+    if(task.mesher->is_whole() && !has_common_chord(task.chords, chords)) {
+      chords.insert(task.chords.begin(), task.chords.end());
+      task.mesher->add_to(m_report);
+      return;
+    }
+    if(!task.parts.empty()) {
+      task.parts.clear();
+      run<ConcurrencyTag>(task);
+    }
+    with_name_of_face(m_model, task.face, [&] { task.mesher->template prepare<ConcurrencyTag>(mesh, chords, m_report); });
+  }
+
+  static bool has_common_chord(const typename Mesh::Chords& chords, const typename Mesh::Chords& others)
+  {
+    return std::any_of(chords.begin(), chords.end(), [&](const auto& chord) { return others.count(chord) > 0; });
   }
 
   static std::size_t number_of_edges(const Loops& loops)
