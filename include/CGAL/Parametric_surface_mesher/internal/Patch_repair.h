@@ -9,6 +9,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Point_placement.h>
+#include <CGAL/Parametric_surface_mesher/internal/Vertex_removal.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
 #include <CGAL/number_utils.h>
 
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <iterator>
 #include <unordered_set>
 #include <vector>
 
@@ -27,8 +29,9 @@ namespace internal {
 /*
 What insertion of points could not make good, and what has an angle below the one aimed at: edges of such faces are
 flipped and their inner vertices moved, where that raises the smallest angle around and makes no face too large or too far
-from the surface. The boundary stays. Most of these faces lie beside it, where a vertex is a little off the one place that
-suits its neighbours, or where fronts have met.
+from the surface. If neither helps a face that fails the angle, one of its inner vertices is taken out, on the same terms:
+beside a piece of boundary that is longer than the edges around, there often is one too many. The boundary stays. Most of
+these faces lie beside it, where a vertex is a little off the one place that suits its neighbours, or where fronts have met.
 */
 template <class Evaluator, class IsBad>
 class Patch_repair
@@ -44,7 +47,7 @@ class Patch_repair
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   const IsBad& m_is_bad;
-  double m_squared_sine, m_squared_min_edge;
+  double m_squared_sine, m_squared_sine_of_criterion, m_squared_min_edge;
   Star m_star;
   std::vector<Face_state> m_states; // of its faces
   std::deque<Face_handle> m_queue;
@@ -56,6 +59,7 @@ public:
                const Parametric_surface_mesh_criteria& criteria)
     : m_triangulation(triangulation), m_evaluate(evaluate), m_is_bad(is_bad),
       m_squared_sine(square(std::sin(criteria.improvement_angle() * std::atan(1.) / 45))),
+      m_squared_sine_of_criterion(square(std::sin(criteria.angle() * std::atan(1.) / 45))),
       m_squared_min_edge(square(criteria.min_edge())), m_star(triangulation, evaluate.oracle().metric())
   {}
 
@@ -72,7 +76,8 @@ public:
     while(!m_queue.empty() && attempts_left > 0 && go_further()) {
       const Face_handle face = m_queue.front();
       m_queue.pop_front();
-      m_waiting.erase(face);
+      if(m_waiting.erase(face) == 0)
+        continue; // it is gone
       if(is_poor(face)) {
         repair(face);
         --attempts_left;
@@ -109,6 +114,10 @@ private:
     for(int i = 0; i < 3; ++i)
       if(!face->vertex(i)->is_on_boundary() && move_if_better(face->vertex(i)))
         return;
+    if(squared_sine(face) < m_squared_sine_of_criterion)
+      for(int i = 0; i < 3; ++i)
+        if(!face->vertex(i)->is_on_boundary() && remove_if_better(face->vertex(i)))
+          return;
   }
 
   // Notes the state of changed faces; these and their neighbours are looked at again.
@@ -127,16 +136,12 @@ private:
     }
   }
 
-  // How many fail a criterion; those that fail another one than the angle count twice.
+  // How many fail another criterion than the angle: to raise the smallest angle, others may get below that of the criterion.
   template <class Faces>
   std::size_t number_of_failures(const Faces& faces) const
   {
-    std::size_t result = 0;
-    for(Face_handle face : faces) {
-      const Mesh_2::Face_badness found = badness(face);
-      result += std::size_t(found != Mesh_2::NOT_BAD) + std::size_t(found == Mesh_2::IMPERATIVELY_BAD);
-    }
-    return result;
+    return std::size_t(std::count_if(faces.begin(), faces.end(),
+                                     [this](Face_handle face) { return badness(face) == Mesh_2::IMPERATIVELY_BAD; }));
   }
 
   bool flip_if_better(Face_handle face, int i)
@@ -162,21 +167,78 @@ private:
     return false;
   }
 
-  bool move_if_better(Vertex_handle vertex)
+  // Collects the star of a vertex, with the states of its faces.
+  void collect_star(Vertex_handle vertex)
   {
     m_star.collect(vertex);
     m_states.clear();
     for(Face_handle face : m_star.faces())
       m_states.push_back(face->state());
+  }
+
+  void restore_states()
+  {
+    for(std::size_t k = 0; k < m_states.size(); ++k)
+      m_star.faces()[k]->set_state(m_states[k]);
+  }
+
+  bool move_if_better(Vertex_handle vertex)
+  {
+    collect_star(vertex);
     const Point old_point = vertex->point();
     if(find_better_place(vertex)) {
       note(m_star.faces());
       return true;
     }
     m_star.move_to(old_point);
-    for(std::size_t k = 0; k < m_states.size(); ++k)
-      m_star.faces()[k]->set_state(m_states[k]);
+    restore_states();
     return false;
+  }
+
+  bool remove_if_better(Vertex_handle vertex)
+  {
+    collect_star(vertex);
+    const double bound = 1.01 * m_star.squared_smallest_sine(vertex->point());
+    const std::size_t failures = number_of_failures(m_star.faces());
+    const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
+    Vertex_removal<Triangulation> removal(m_triangulation, vertex);
+    if(removal.cut_ears(m_evaluate.oracle().metric(), sine, bound)
+       && is_better_without(vertex, removal, bound, failures)) {
+      remove(vertex, removal);
+      return true;
+    }
+    removal.undo();
+    restore_states();
+    return false;
+  }
+
+  // \pre three faces are left at the vertex
+  bool is_better_without(Vertex_handle vertex, Vertex_removal<Triangulation>& removal, double bound, std::size_t failures) const
+  {
+    std::vector<Face_handle> faces = faces_without(vertex);
+    return removal.with_last_face([&](Face_handle last) {
+      faces.push_back(last);
+      return !is_collapsed(last) && squared_sine(last) > bound && number_of_failures(faces) <= failures;
+    });
+  }
+
+  // \pre three faces are left at the vertex
+  void remove(Vertex_handle vertex, Vertex_removal<Triangulation>& removal)
+  {
+    std::vector<Face_handle> changed = faces_without(vertex);
+    for(Face_handle face : removal.faces())
+      m_waiting.erase(face);
+    changed.push_back(removal.remove());
+    note(changed);
+  }
+
+  // those of the star that are no longer at its centre
+  std::vector<Face_handle> faces_without(Vertex_handle vertex) const
+  {
+    std::vector<Face_handle> result;
+    std::copy_if(m_star.faces().begin(), m_star.faces().end(), std::back_inserter(result),
+                 [&](Face_handle face) { return !face->has_vertex(vertex); });
+    return result;
   }
 
   bool find_better_place(Vertex_handle vertex)
