@@ -132,6 +132,21 @@ public:
            && std::fabs(division.parameters[piece.number + 1] - division.parameters[piece.number]) > division.smallest_piece;
   }
 
+  const std::vector<double>& parameters(std::size_t edge) const { return m_divisions[edge].parameters; }
+
+  // at a parameter of the curve of an edge
+  Point_3 point(std::size_t edge, double t) const { return m_divider.point(edge, t); }
+
+  // Moves points along an edge. \pre as many as before, and those at the ends stay
+  void set_parameters(std::size_t edge, const std::vector<double>& parameters)
+  {
+    Edge_division<Kernel>& division = m_divisions[edge];
+    for(std::size_t i = 1; i + 1 < parameters.size(); ++i)
+      if(parameters[i] != division.parameters[i])
+        division.points[i] = m_divider.point(edge, parameters[i]);
+    division.parameters = parameters;
+  }
+
   // Marks a piece, if it is at an end of its edge, as one that had better stay whole.
   void keep(const Piece& piece)
   {

@@ -48,6 +48,7 @@ class Patch_repair
   const Evaluator& m_evaluate;
   const IsBad& m_is_bad;
   double m_squared_sine, m_squared_sine_of_criterion, m_squared_min_edge;
+  bool m_is_full; // of vertices: then none is removed, so that the limit stays to be seen
   Star m_star;
   std::vector<Face_state> m_states; // of its faces
   std::deque<Face_handle> m_queue;
@@ -60,7 +61,8 @@ public:
     : m_triangulation(triangulation), m_evaluate(evaluate), m_is_bad(is_bad),
       m_squared_sine(square(std::sin(criteria.improvement_angle() * std::atan(1.) / 45))),
       m_squared_sine_of_criterion(square(std::sin(criteria.angle() * std::atan(1.) / 45))),
-      m_squared_min_edge(square(criteria.min_edge())), m_star(triangulation, evaluate.oracle().metric())
+      m_squared_min_edge(square(criteria.min_edge())),
+      m_is_full(triangulation.number_of_vertices() >= criteria.max_number_of_vertices()), m_star(triangulation, evaluate.oracle().metric())
   {}
 
   // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more
@@ -114,7 +116,7 @@ private:
     for(int i = 0; i < 3; ++i)
       if(!face->vertex(i)->is_on_boundary() && move_if_better(face->vertex(i)))
         return;
-    if(squared_sine(face) < m_squared_sine_of_criterion)
+    if(!m_is_full && squared_sine(face) < m_squared_sine_of_criterion)
       for(int i = 0; i < 3; ++i)
         if(!face->vertex(i)->is_on_boundary() && remove_if_better(face->vertex(i)))
           return;
