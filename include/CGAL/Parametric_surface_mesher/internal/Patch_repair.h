@@ -44,6 +44,8 @@ class Patch_repair
   typedef typename Kernel::Point_2 Point_2;
   typedef Vertex_star<Triangulation, typename Evaluator::Oracle::Metric_field> Star;
 
+  static constexpr double share_of_far_below = 0.15; // of the squared sine: 11 degrees, for a criterion of 30
+
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   const IsBad& m_is_bad;
@@ -138,12 +140,18 @@ private:
     }
   }
 
-  // How many fail another criterion than the angle: to raise the smallest angle, others may get below that of the criterion.
+  // How many fail a criterion; one that fails another one than the angle counts more than a whole star that fails that. To
+  // raise a smallest angle far below the criterion, others may get below it.
   template <class Faces>
-  std::size_t number_of_failures(const Faces& faces) const
+  std::size_t number_of_failures(const Faces& faces, double squared_smallest_sine) const
   {
-    return std::size_t(std::count_if(faces.begin(), faces.end(),
-                                     [this](Face_handle face) { return badness(face) == Mesh_2::IMPERATIVELY_BAD; }));
+    const bool is_far_below = squared_smallest_sine < share_of_far_below * m_squared_sine_of_criterion;
+    std::size_t result = 0;
+    for(Face_handle face : faces) {
+      const Mesh_2::Face_badness found = badness(face);
+      result += found == Mesh_2::IMPERATIVELY_BAD ? 1000 : found == Mesh_2::BAD && !is_far_below ? 1 : 0;
+    }
+    return result;
   }
 
   bool flip_if_better(Face_handle face, int i)
@@ -153,13 +161,14 @@ private:
     Edge_flip<Triangulation> edge(m_triangulation, face, i);
     const auto& metric = m_evaluate.oracle().metric();
     const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
-    if(!(edge.worst_after(metric, sine) > 1.01 * edge.worst_before(metric, sine)) || !edge.is_valid())
+    const double worst = edge.worst_before(metric, sine);
+    if(!(edge.worst_after(metric, sine) > 1.01 * worst) || !edge.is_valid())
       return false;
     const auto faces = edge.faces();
     const Face_state states[] = {faces[0]->state(), faces[1]->state()};
-    const std::size_t failures = number_of_failures(faces);
+    const std::size_t failures = number_of_failures(faces, worst);
     edge.flip();
-    if(number_of_failures(faces) <= failures) {
+    if(number_of_failures(faces, worst) <= failures) {
       note(faces);
       return true;
     }
@@ -200,12 +209,12 @@ private:
   bool remove_if_better(Vertex_handle vertex)
   {
     collect_star(vertex);
-    const double bound = 1.01 * m_star.squared_smallest_sine(vertex->point());
-    const std::size_t failures = number_of_failures(m_star.faces());
+    const double worst = m_star.squared_smallest_sine(vertex->point());
+    const std::size_t failures = number_of_failures(m_star.faces(), worst);
     const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
     Vertex_removal<Triangulation> removal(m_triangulation, vertex);
-    if(removal.cut_ears(m_evaluate.oracle().metric(), sine, bound)
-       && is_better_without(vertex, removal, bound, failures)) {
+    if(removal.cut_ears(m_evaluate.oracle().metric(), sine, 1.01 * worst)
+       && is_better_without(vertex, removal, worst, failures)) {
       remove(vertex, removal);
       return true;
     }
@@ -215,12 +224,12 @@ private:
   }
 
   // \pre three faces are left at the vertex
-  bool is_better_without(Vertex_handle vertex, Vertex_removal<Triangulation>& removal, double bound, std::size_t failures) const
+  bool is_better_without(Vertex_handle vertex, Vertex_removal<Triangulation>& removal, double worst, std::size_t failures) const
   {
     std::vector<Face_handle> faces = faces_without(vertex);
     return removal.with_last_face([&](Face_handle last) {
       faces.push_back(last);
-      return !is_collapsed(last) && squared_sine(last) > bound && number_of_failures(faces) <= failures;
+      return !is_collapsed(last) && squared_sine(last) > 1.01 * worst && number_of_failures(faces, worst) <= failures;
     });
   }
 
@@ -247,8 +256,9 @@ private:
   {
     const Point old_point = vertex->point();
     Point best_point = old_point;
-    double best_sine = m_star.squared_smallest_sine(old_point);
-    const std::size_t failures = number_of_failures(m_star.faces());
+    const double worst = m_star.squared_smallest_sine(old_point);
+    double best_sine = worst;
+    const std::size_t failures = number_of_failures(m_star.faces(), worst);
     collect_positions(vertex);
     for(const Point_2& position : m_positions) {
       if(!m_star.is_around(position))
@@ -258,7 +268,7 @@ private:
       if(!(sine > 1.01 * best_sine) || !is_far_enough(point, old_point))
         continue;
       m_star.move_to(point);
-      if(number_of_failures(m_star.faces()) <= failures) {
+      if(number_of_failures(m_star.faces(), worst) <= failures) {
         best_sine = sine;
         best_point = point;
       }
