@@ -120,6 +120,24 @@ TEST(Mesh_sizes, the_tip_of_a_cusp_is_one_triangle)
   EXPECT_LE(number_of_sharp_triangles(mesh, 15), 1u);
 }
 
+// Its sides have pieces of 0.15, opposite to each other: as long as that, triangles can have 38 degrees.
+TEST(Mesh_sizes, closeness_staggers_the_sides_of_a_strip)
+{
+  const Sample flat = make_sample("flat");
+  const auto strip = sample_surfaces::Domain::rectangle(0, 9, 0, 0.06);
+  const Criteria criteria = Criteria().set_max_edge(0.15).set_min_edge(0.1);
+  Mesh aligned, mesh;
+  EXPECT_LT(add_patch(flat.surface, strip, criteria, aligned).smallest_angle, 22);
+  const Report report = add_patch(flat.surface, strip, Criteria(criteria).set_closeness(1.8), mesh);
+  EXPECT_GT(report.smallest_angle, 25);
+  EXPECT_LE(mesh.number_of_faces(), aligned.number_of_faces());
+  for(const auto e : mesh.edges())
+    if(mesh.is_border(e) && std::fabs(mesh.point(mesh.vertex(e, 0)).y() - mesh.point(mesh.vertex(e, 1)).y()) < 0.01) {
+      EXPECT_GE(length(mesh, e), criteria.min_edge());
+      EXPECT_LT(length(mesh, e), 2 * criteria.min_edge());
+    }
+}
+
 TEST(Mesh_sizes, closeness_keeps_the_minimum_edge)
 {
   const Sample flat = make_sample("flat");

@@ -109,3 +109,23 @@ TEST(Grading, triangles_grow_away_from_a_finely_divided_hole)
   EXPECT_LT(report.number_of_faces, 50000u);
   EXPECT_GT(report.smallest_angle, 30 - 1e-9);
 }
+
+// Beside long edges of the boundary points inside may have to go again: without that, angles below 16 degrees are left.
+TEST(Grading, long_edges_close_to_a_finely_divided_hole)
+{
+  const Sample flat = make_sample("flat");
+  typedef CGAL::Domain_curve_2<Test_kernel> Curve;
+  for(std::size_t on_side : {8, 11})
+    for(std::size_t on_circle : {40, 80, 160, 300})
+      for(double radius : {0.5, 1., 2.}) {
+        Domain domain = Domain::rectangle(0, 10, 0, 10);
+        for(Curve& side : domain.loops().front())
+          side.set_number_of_edges(on_side);
+        Curve circle = Curve::circle(Point_2(5, 0.7 + radius), radius);
+        circle.set_number_of_edges(on_circle);
+        domain.add_hole({circle});
+        Mesh mesh;
+        const Report report = add_patch(flat.surface, domain, Criteria().set_max_edge(3), mesh);
+        EXPECT_GT(report.smallest_angle, 20) << on_side << " " << on_circle << " " << radius;
+      }
+}

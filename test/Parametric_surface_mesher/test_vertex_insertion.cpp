@@ -1,13 +1,16 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Insertion one by one against CGAL's own, the order of a front and its tiles, and iteration with lookahead.
+// Insertion one by one against CGAL's own, taking out, the order of a front and its tiles, and iteration with lookahead.
+#include <CGAL/First_fundamental_form_metric_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Domain_tiles.h>
 #include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
+#include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Front_queue.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Recent_values.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
+#include <CGAL/Parametric_surface_mesher/internal/Vertex_removal.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -17,6 +20,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -116,6 +120,61 @@ TEST(Vertex_insertion, is_that_of_CGAL)
     else
       EXPECT_GT(number_on_edges, 100u);
   }
+}
+
+// Inner vertices are taken out, in every second case after it was undone, until those of the square and a few others are left.
+TEST(Vertex_removal, leaves_a_triangulation)
+{
+  Triangulation t;
+  add_square(t, at);
+  for(Face_handle face : t.finite_face_handles()) {
+    face->set_in_domain(true);
+    for(int i = 0; i < 3; ++i)
+      face->vertex(i)->set_on_boundary(true);
+  }
+  const std::size_t number_on_boundary = t.number_of_vertices();
+  Random_input random(1);
+  internal::Vertex_insertion<Triangulation> insertion(t);
+  for(int n = 0; n < 500; ++n) {
+    const Point_2 p(random.dyadic(40), random.dyadic(40));
+    const Location location = internal::walk_in_domain(t, t.finite_faces_begin(), p);
+    if(location.kind == Location::IN_FACE)
+      insertion.insert_in_face(at(p), location.face);
+  }
+  const CGAL::First_fundamental_form_metric_2<Kernel> metric;
+  const auto sine = [](const std::array<double, 3>& l) { return internal::face_measures(l).squared_smallest_sine; };
+  std::size_t number_of_removals = 0;
+  for(auto v = t.finite_vertices_begin(); v != t.finite_vertices_end();) {
+    const Vertex_handle vertex = v++;
+    if(vertex->is_on_boundary())
+      continue;
+    const Edges before = edges(t);
+    internal::Vertex_removal<Triangulation> removal(t, vertex);
+    const bool is_possible = removal.cut_ears(metric, sine, 1e-6);
+    if(!is_possible || number_of_removals % 2 == 0) {
+      removal.undo();
+      EXPECT_EQ(before, edges(t));
+    }
+    if(is_possible && (number_of_removals % 2 == 1 || removal.cut_ears(metric, sine, 1e-6))) {
+      const std::size_t number_of_faces = t.number_of_faces();
+      EXPECT_EQ(removal.faces().size(), 3u);
+      const Face_handle face = removal.remove();
+      EXPECT_TRUE(face->is_in_domain());
+      EXPECT_EQ(t.number_of_faces() + 2, number_of_faces);
+      ++number_of_removals;
+    }
+  }
+  EXPECT_GT(number_of_removals, 400u);
+  EXPECT_LT(t.number_of_vertices(), number_on_boundary + 50);
+  EXPECT_TRUE(t.tds().is_valid());
+  std::size_t number_of_constraints = 0;
+  for(auto e = t.finite_edges_begin(); e != t.finite_edges_end(); ++e) {
+    EXPECT_EQ(e->first->is_constrained(e->second), t.mirror_edge(*e).first->is_constrained(t.mirror_edge(*e).second));
+    number_of_constraints += t.is_constrained(*e);
+  }
+  EXPECT_EQ(number_of_constraints, 7u);
+  for(Face_handle face : t.finite_face_handles())
+    EXPECT_EQ(t.orientation(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point()), CGAL::LEFT_TURN);
 }
 
 // Octaves first, in an octave tile by tile, and first in first out; a changed face is skipped.

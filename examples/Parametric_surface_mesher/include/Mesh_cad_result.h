@@ -208,7 +208,7 @@ inline void mesh_and_measure(const Mesh_cad_options& options, Mesh_cad_result& r
   result.meshing_seconds = seconds_of([&] { make_mesh(options, result); });
   result.measuring_seconds = seconds_of([&] {
     result.quality = CGAL::triangle_mesh_quality(result.mesh.mesh);
-    result.measures = measure(result.mesh, result.shape);
+    result.measures = measure(result.mesh, result.shape, result.criteria.min_edge());
   });
 }
 

@@ -119,33 +119,54 @@ inline double squared_distance_to_edges(const Cad_mesh& mesh, const Model& model
   return result;
 }
 
+// The direction in space in which a use of an edge leaves its begin, or goes back from its end: of the tangent, or of the
+// chord to the point of the edge at this distance, if the edge goes that far.
+inline Kernel::Vector_3 direction(const Model& model, std::size_t face, const Model::Edge_use& use, bool is_at_begin,
+                                  double distance)
+{
+  const bool is_at_source = is_at_begin != use.is_reversed;
+  const auto& edge = model.edges()[use.edge];
+  if(distance > 0 && edge.curve) {
+    const auto point = [&](double t) { return edge.curve->point(is_at_source ? t : 1 - t); };
+    const auto chord = [&](double t) { return point(t) - point(0); };
+    const auto is_far = [&](double t) { return chord(t).squared_length() >= distance * distance; };
+    double near = 0, far = 1. / 1024;
+    while(far < 1 && !is_far(far))
+      far *= 2;
+    if(is_far(far)) {
+      for(int i = 0; i < 20; ++i)
+        (is_far(0.5 * (near + far)) ? far : near) = 0.5 * (near + far);
+      return chord(far);
+    }
+  }
+  const auto c = use.curve.jet(is_at_source ? use.curve.begin() : use.curve.end());
+  const auto s = model.faces()[face].surface.jet(c.point.x(), c.point.y());
+  return (is_at_source ? 1 : -1) * (c.first.x() * s.du + c.first.y() * s.dv);
+}
+
 // The corners of faces below a number of degrees: the sharpest of a face at a point.
 typedef std::map<std::pair<std::size_t, Kernel::Point_3>, double> Sharp_corners;
 
-inline Sharp_corners sharp_corners(const Model& model, double degrees)
+// The angle is that between the tangents of the edges; or, where edges bend towards each other, that in which the nearest
+// points that a mesh may have on them are seen, those at the minimum edge.
+inline Sharp_corners sharp_corners(const Model& model, double degrees, double min_edge)
 {
-  typedef Model::Edge_use Edge_use;
   Sharp_corners result;
-  for(std::size_t f = 0; f < model.faces().size(); ++f) {
-    // the direction in space in which a use leaves its begin, or comes from its end
-    const auto direction = [&](const Edge_use& use, bool is_at_begin) {
-      const bool is_at_source = is_at_begin != use.is_reversed;
-      const double t = is_at_source ? use.curve.begin() : use.curve.end();
-      const auto c = use.curve.jet(t);
-      const auto s = model.faces()[f].surface.jet(c.point.x(), c.point.y());
-      return (is_at_source ? 1 : -1) * (c.first.x() * s.du + c.first.y() * s.dv);
-    };
+  for(std::size_t f = 0; f < model.faces().size(); ++f)
     for(const auto& loop : model.faces()[f].loops)
       for(std::size_t i = 0; i < loop.size(); ++i) {
-        const Edge_use &use = loop[i], &next = loop[(i + 1) % loop.size()];
-        const double corner = angle(direction(use, false), direction(next, true));
+        const auto &use = loop[i], &next = loop[(i + 1) % loop.size()];
+        double corner = 180;
+        for(const double distance : {0., min_edge})
+          corner = (std::min)(corner, angle(direction(model, f, use, false, distance),
+                                            direction(model, f, next, true, distance)));
         if(!(corner > degrees)) {
           const auto& edge = model.edges()[next.edge];
-          const auto found = result.emplace(std::make_pair(f, model.vertices()[next.is_reversed ? edge.target : edge.source]), corner);
-          found.first->second = (std::min)(found.first->second, corner);
+          const auto& vertex = model.vertices()[next.is_reversed ? edge.target : edge.source];
+          double& sharpest = result.emplace(std::make_pair(f, vertex), corner).first->second;
+          sharpest = (std::min)(sharpest, corner);
         }
       }
-  }
   return result;
 }
 
@@ -187,11 +208,11 @@ inline void measure_shape(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3
   result.tiny_edges.assign(tiny.begin(), tiny.end());
 }
 
-inline Cad_mesh_measures measure(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape)
+inline Cad_mesh_measures measure(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape, double min_edge)
 {
   const double small_angle = 10, sharp_angle = 30; // degrees
   Cad_mesh_measures result;
-  const Sharp_corners sharp = sharp_corners(shape.model, sharp_angle);
+  const Sharp_corners sharp = sharp_corners(shape.model, sharp_angle, min_edge);
   const Tree tree(faces(mesh.mesh).first, faces(mesh.mesh).second, mesh.mesh);
   double squared_distance = squared_distance_to_edges(mesh, shape.model, tree);
   for(const auto face : mesh.mesh.faces()) {

@@ -11,6 +11,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Strip_staggering.h>
 #include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
 #include <CGAL/Parametric_surface_mesher/internal/name_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulate_boundary.h>
@@ -71,7 +72,7 @@ private:
 // Where a face is narrower than the pieces of its boundary are long, triangles across it are flat, and no point inside can
 // help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop, and
 // those so much longer than the pieces across the face that triangles cannot grow from the ones to the others. The pieces at
-// the tip of a cusp stay.
+// the tip of a cusp stay. Where pieces cannot be halved, points are moved along the edges of the strip.
 template <class Oracle>
 class Closeness_refinement
 {
@@ -101,6 +102,7 @@ class Closeness_refinement
   const std::vector<Oracle>& m_oracles; // of the faces
   const Parametric_surface_mesh_criteria& m_criteria;
   mutable std::vector<typename Metric_evaluator<Charted_oracle>::Tensors> m_tensors; // of the faces
+  mutable std::set<std::size_t> m_faces_with_strips; // narrower than pieces of their edges that cannot be halved
 
 public:
   Closeness_refinement(Division& division, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria)
@@ -124,11 +126,46 @@ public:
       m_division.split(pieces);
       faces = m_division.faces_at(pieces);
     }
+    stagger_strips();
     return number_of_splits;
   }
 
 private:
+  // Points of an edge are moved for the first face that asks for it.
+  void stagger_strips()
+  {
+    std::set<std::size_t> done; // edges
+    for(std::size_t face : m_faces_with_strips)
+      with_name_of_face(m_division.model(), face, [&] { done.merge(stagger_strips(face, done)); });
+  }
+
+  std::set<std::size_t> stagger_strips(std::size_t face, const std::set<std::size_t>& done)
+  {
+    Strip_staggering<Division, Triangulation> stagger(m_division, face, m_criteria.min_edge());
+    for_each_loop(face, [&](std::size_t l, const auto& segments, const auto& vertices, const auto& triangulation) {
+      stagger.collect(l, segments, vertices, triangulation, [&](std::size_t edge) {
+        return done.count(edge) == 0 && !is_used_twice(face, edge);
+      });
+    });
+    return stagger();
+  }
+
+  bool is_used_twice(std::size_t face, std::size_t edge) const
+  {
+    const auto& uses = m_division.uses()[edge];
+    return std::count_if(uses.begin(), uses.end(), [=](const auto& use) { return use.face == face; }) > 1;
+  }
+
   void collect(std::size_t face, std::set<Piece>& pieces) const
+  {
+    for_each_loop(face, [&](std::size_t l, const auto& segments, const auto& vertices, const auto& triangulation) {
+      collect(face, l, segments, vertices, triangulation, pieces);
+    });
+  }
+
+  // Calls `function` with the number of each loop of a face, its segments and vertices, and a triangulation of all loops.
+  template <class Function>
+  void for_each_loop(std::size_t face, const Function& function) const
   {
     const Boundary_loops<Kernel> loops = m_division.boundary_loops(face);
     const Surface surface(m_oracles[face].surface(), find_chart(m_oracles[face].surface(), loops));
@@ -146,7 +183,7 @@ private:
       set_spacings(vertices_of_loops.back());
     }
     for(std::size_t l = 0; l < loops.size(); ++l)
-      collect(face, l, segments(loops[l], charted_loops[l].size()), vertices_of_loops[l], triangulation, pieces);
+      function(l, segments(loops[l], charted_loops[l].size()), vertices_of_loops[l], triangulation);
   }
 
   // Each vertex gets the length of the shorter of the pieces at it.
@@ -174,8 +211,11 @@ private:
     for(std::size_t i = 0; i < n; ++i) {
       const Vertex_handle v = loop[i], w = loop[(i + 1) % n];
       const double l = length(v, w);
-      if(!(l >= 2 * m_criteria.min_edge()))
+      if(!(l >= 2 * m_criteria.min_edge())) {
+        if(l > width(v, w, triangulation))
+          m_faces_with_strips.insert(face);
         continue;
+      }
       const double neighbor = (std::min)(length(loop[(i + n - 1) % n], v), length(w, loop[(i + 2) % n]));
       if(is_longer(l, max_ratio * neighbor) || is_longer(l, m_criteria.closeness() * width(v, w, triangulation))
          || l > (std::min)(graded_size(v, triangulation), graded_size(w, triangulation))) {

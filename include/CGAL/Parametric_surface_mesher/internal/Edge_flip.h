@@ -65,6 +65,13 @@ public:
     return (std::min)(quality(squared_lengths(metric, 0, 1, 2)), quality(squared_lengths(metric, 2, 3, 0)));
   }
 
+  // that of the triangle that the first vertex of the edge, next to the apex of the given face, would be cut off by
+  template <class MetricField, class Quality>
+  double quality_of_ear(const MetricField& metric, const Quality& quality) const
+  {
+    return quality(squared_lengths(metric, 0, 1, 2));
+  }
+
   void flip()
   {
     turn();

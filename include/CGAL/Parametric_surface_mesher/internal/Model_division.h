@@ -4,24 +4,20 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_DIVISION_H
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
-#include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
-#include <CGAL/Parametric_surface_mesher/internal/Boundary_size.h>
+#include <CGAL/Parametric_surface_mesher/internal/Edge_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Model_uses.h>
 #include <CGAL/Parametric_surface_mesher/internal/Pointed_apex.h>
-#include <CGAL/Parametric_surface_mesher/internal/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/least_numbers_of_pieces.h>
 #include <CGAL/Parametric_surface_mesher/internal/name_face.h>
 #include <CGAL/Parametric_surface_model_3.h>
-#include <CGAL/divide_curve.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,8 +25,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The edges of a model, each divided once: its curve in space, or that on the first face that uses it, with the sizes of
-// all faces that do.
+// The divided edges of a model, as the faces and the mesh see them.
 template <class Oracle>
 class Model_division
 {
@@ -53,59 +48,40 @@ public:
   };
 
 private:
-  typedef typename Model_uses<Model>::Use Use;
-
-  struct Division
-  {
-    std::vector<double> parameters;
-    std::vector<Point_3> points;
-    std::size_t first_inner_index = 0; // in the mesh, of the second point
-    double smallest_piece = 0;         // in the parameter
-    bool keeps_first_piece = false, keeps_last_piece = false;
-  };
-
   static const std::size_t no_index = std::size_t(-1);
-  static constexpr double smallest_share = 1. / 4096; // of a piece that is halved again and again
 
   const Model& m_model;
-  const std::vector<Oracle>& m_oracles; // of the faces
-  const Parametric_surface_mesh_criteria& m_criteria;
-  Model_uses<Model> m_uses;
-  std::vector<Parametric_surface_mesh_criteria> m_face_criteria;
-  std::vector<Boundary_size<Oracle>> m_sizes; // of the faces
-  std::vector<Division> m_divisions;          // of the edges
-  std::vector<std::size_t> m_vertex_indices;  // in the mesh
+  Edge_divider<Oracle> m_divider;
+  std::vector<Edge_division<Kernel>> m_divisions; // of the edges
+  std::vector<std::size_t> m_first_inner_indices; // in the mesh, of the second points of the edges
+  std::vector<std::size_t> m_vertex_indices;      // in the mesh
   std::size_t m_number_of_points = 0;
 
 public:
   Model_division(const Model& model, const std::vector<Oracle>& oracles,
                  const Parametric_surface_mesh_criteria& criteria)
-    : m_model(model), m_oracles(oracles), m_criteria(criteria), m_uses(model), m_divisions(model.edges().size())
+    : m_model(model), m_divider(model, oracles, criteria), m_divisions(model.edges().size()),
+      m_first_inner_indices(model.edges().size())
   {
-    const auto curve = [](const Edge_use& use) -> const auto& { return use.curve; };
-    for(const auto& face : model.faces())
-      m_face_criteria.push_back(criteria_of_face(criteria, face));
-    for(std::size_t f = 0; f < model.faces().size(); ++f)
-      m_sizes.emplace_back(oracles[f], m_face_criteria[f], domain_box(model.faces()[f].loops, curve));
-    const std::vector<std::size_t> least_numbers = least_numbers_of_pieces(model, m_uses);
+    const std::vector<std::size_t> least_numbers = least_numbers_of_pieces(model, uses());
     const Pointed_apexes<Model> apexes(model);
-    for(std::size_t edge : m_uses.order())
-      about_face(m_uses[edge].front().face, [&] {
-        divide(edge, least_numbers[edge]);
-        join_at_apexes(edge, least_numbers[edge], apexes);
+    for(std::size_t edge : uses().order())
+      about_face(uses()[edge].front().face, [&] {
+        m_divisions[edge] = m_divider.divide(edge, least_numbers[edge]);
+        m_divider.join_at_apexes(edge, least_numbers[edge], apexes, m_divisions[edge]);
       });
     number_vertices_first();
   }
 
   const Model& model() const { return m_model; }
-  const Model_uses<Model>& uses() const { return m_uses; }
+  const Model_uses<Model>& uses() const { return m_divider.uses(); }
   std::size_t number_of_points() const { return m_number_of_points; }
 
   // the number of edges of the division
   std::size_t number_of_edges() const
   {
     std::size_t result = 0;
-    for(std::size_t e : m_uses.order())
+    for(std::size_t e : uses().order())
       if(!m_model.edges()[e].is_collapsed)
         result += number_of_pieces(e);
     return result;
@@ -118,7 +94,7 @@ public:
   {
     return i == 0                         ? m_vertex_indices[m_model.edges()[edge].source]
            : i == number_of_pieces(edge)  ? m_vertex_indices[m_model.edges()[edge].target]
-                                          : m_divisions[edge].first_inner_index + i - 1;
+                                          : m_first_inner_indices[edge] + i - 1;
   }
 
   // Indices: first the vertices that are used, then the inner points of the edges in the order of their first use.
@@ -126,12 +102,12 @@ public:
   {
     start_numbering();
     std::vector<bool> is_used(m_vertex_indices.size(), false);
-    for(std::size_t e : m_uses.order())
+    for(std::size_t e : uses().order())
       is_used[m_model.edges()[e].source] = is_used[m_model.edges()[e].target] = true;
     for(std::size_t v = 0; v < m_vertex_indices.size(); ++v)
       if(is_used[v])
         number_vertex(v);
-    for(std::size_t e : m_uses.order())
+    for(std::size_t e : uses().order())
       number_inner_points(e);
   }
 
@@ -140,33 +116,48 @@ public:
   void number_along_edges()
   {
     start_numbering();
-    for(std::size_t e : m_uses.order()) {
+    for(std::size_t e : uses().order()) {
       number_vertex(m_model.edges()[e].source);
       number_inner_points(e);
     }
-    for(std::size_t e : m_uses.order())
+    for(std::size_t e : uses().order())
       number_vertex(m_model.edges()[e].target);
   }
 
   // Halves a piece at the middle of its parameters, unless it is too short already, or the number of pieces is prescribed.
   bool can_be_split(const Piece& piece) const
   {
-    const Division& division = m_divisions[piece.edge];
-    return !m_model.edges()[piece.edge].is_collapsed && prescribed_number(piece.edge) == 0
+    const Edge_division<Kernel>& division = m_divisions[piece.edge];
+    return !m_model.edges()[piece.edge].is_collapsed && m_divider.prescribed_number(piece.edge) == 0
            && std::fabs(division.parameters[piece.number + 1] - division.parameters[piece.number]) > division.smallest_piece;
+  }
+
+  const std::vector<double>& parameters(std::size_t edge) const { return m_divisions[edge].parameters; }
+
+  // at a parameter of the curve of an edge
+  Point_3 point(std::size_t edge, double t) const { return m_divider.point(edge, t); }
+
+  // Moves points along an edge. \pre as many as before, and those at the ends stay
+  void set_parameters(std::size_t edge, const std::vector<double>& parameters)
+  {
+    Edge_division<Kernel>& division = m_divisions[edge];
+    for(std::size_t i = 1; i + 1 < parameters.size(); ++i)
+      if(parameters[i] != division.parameters[i])
+        division.points[i] = m_divider.point(edge, parameters[i]);
+    division.parameters = parameters;
   }
 
   // Marks a piece, if it is at an end of its edge, as one that had better stay whole.
   void keep(const Piece& piece)
   {
-    Division& division = m_divisions[piece.edge];
+    Edge_division<Kernel>& division = m_divisions[piece.edge];
     division.keeps_first_piece |= piece.number == 0;
     division.keeps_last_piece |= piece.number + 1 == number_of_pieces(piece.edge);
   }
 
   bool is_kept(const Piece& piece) const
   {
-    const Division& division = m_divisions[piece.edge];
+    const Edge_division<Kernel>& division = m_divisions[piece.edge];
     return (piece.number == 0 && division.keeps_first_piece)
            || (piece.number + 1 == number_of_pieces(piece.edge) && division.keeps_last_piece);
   }
@@ -191,7 +182,7 @@ public:
   {
     std::set<std::size_t> result;
     for(const Piece& piece : pieces)
-      for(const auto& use : m_uses[piece.edge])
+      for(const auto& use : uses()[piece.edge])
         result.insert(use.face);
     return std::vector<std::size_t>(result.begin(), result.end());
   }
@@ -201,7 +192,7 @@ public:
   {
     Boundary_loops<Kernel> result;
     std::map<std::size_t, std::vector<typename Kernel::Point_2>> corners; // domain points of each vertex
-    const double tolerance = 1e-9 * (m_sizes[face].box().x_span() + m_sizes[face].box().y_span());
+    const double tolerance = 1e-9 * (m_divider.box(face).x_span() + m_divider.box(face).y_span());
     for(const auto& loop : m_model.faces()[face].loops) {
       result.emplace_back();
       for(const Edge_use& use : loop) {
@@ -230,11 +221,11 @@ public:
     for(std::size_t v = 0; v < m_vertex_indices.size(); ++v)
       if(m_vertex_indices[v] != no_index)
         mesh.points[m_vertex_indices[v]] = m_model.vertices()[v];
-    for(std::size_t e : m_uses.order()) {
-      const Division& division = m_divisions[e];
+    for(std::size_t e : uses().order()) {
+      const Edge_division<Kernel>& division = m_divisions[e];
       for(std::size_t i = 1; i + 1 < division.points.size(); ++i)
         mesh.points[index(e, i)] = division.points[i];
-      for(const auto& shell : m_uses.by_shell(e))
+      for(const auto& shell : uses().by_shell(e))
         for(std::size_t i = 0; i < number_of_pieces(e); ++i)
           mesh.chords[shell.first].emplace(std::minmax(index(e, i), index(e, i + 1)));
     }
@@ -247,97 +238,14 @@ public:
     for(std::size_t index : m_vertex_indices)
       if(index != no_index)
         result.push_back(index);
-    for(std::size_t e : m_uses.order())
-      if(!m_uses.is_manifold(e))
+    for(std::size_t e : uses().order())
+      if(!uses().is_manifold(e))
         for(std::size_t i = 1; i < number_of_pieces(e); ++i)
           result.push_back(index(e, i));
     return result;
   }
 
 private:
-  std::size_t prescribed_number(std::size_t edge) const
-  {
-    std::size_t result = 0;
-    for(const Use& use : m_uses[edge])
-      result = (std::max)(result, std::size_t(use.use->curve.number_of_edges()));
-    return result;
-  }
-
-  // Calls `function` with the curve of an edge in space.
-  template <class Function>
-  auto with_curve(std::size_t edge, Function function) const
-  {
-    if(m_model.edges()[edge].curve)
-      return function(*m_model.edges()[edge].curve);
-    const Use& use = m_uses[edge].front();
-    return function(Curve_on_surface_3<Surface>(m_oracles[use.face].surface(), use.use->curve));
-  }
-
-  void divide(std::size_t number, std::size_t least_number_of_pieces)
-  {
-    Division& division = m_divisions[number];
-    const std::size_t prescribed = prescribed_number(number);
-    if(prescribed > 0 && prescribed < least_number_of_pieces && m_uses[number].size() > 1)
-      throw Parametric_surface_mesh_error("edge " + std::to_string(number) + " is to be divided into "
-                                          + std::to_string(prescribed) + " pieces, but it needs at least "
-                                          + std::to_string(least_number_of_pieces)
-                                          + ": with fewer, edges of the mesh would coincide");
-    with_curve(number, [&](const auto& curve) {
-      if(m_model.edges()[number].is_collapsed)
-        division.parameters = {curve.begin(), curve.end()};
-      else
-        division.parameters = divide_curve(curve, criteria_of_edge(number), [&](double t) { return spacing_limit(number, t); },
-                                           least_number_of_pieces, prescribed);
-      for(double t : division.parameters)
-        division.points.push_back(curve.point(t));
-    });
-    division.points.front() = m_model.vertices()[m_model.edges()[number].source];
-    division.points.back() = m_model.vertices()[m_model.edges()[number].target];
-    double smallest = std::fabs(division.parameters.back() - division.parameters.front());
-    for(std::size_t i = 0; i + 1 < division.parameters.size(); ++i)
-      smallest = (std::min)(smallest, std::fabs(division.parameters[i + 1] - division.parameters[i]));
-    division.smallest_piece = smallest_share * smallest;
-  }
-
-  // makes the first two pieces at an end one, where that end is a pointed apex
-  void join_at_apexes(std::size_t edge, std::size_t least_number_of_pieces, const Pointed_apexes<Model>& apexes)
-  {
-    Division& division = m_divisions[edge];
-    for(bool is_at_source : {true, false}) {
-      const std::size_t n = number_of_pieces(edge);
-      if(n <= (std::max)(least_number_of_pieces, std::size_t(2)) || prescribed_number(edge) > 0)
-        return;
-      const auto squared_length = [&](std::size_t i, std::size_t k) {
-        return squared_distance(division.points[is_at_source ? i : n - i], division.points[is_at_source ? k : n - k]);
-      };
-      const std::size_t vertex = is_at_source ? m_model.edges()[edge].source : m_model.edges()[edge].target;
-      const double length = std::sqrt(squared_length(0, 2));
-      if(length <= criteria_of_edge(edge).max_edge() && squared_length(1, 2) < 1.1 * squared_length(0, 1)
-         && apexes.asks_for_one_piece(edge, vertex, length, m_criteria.min_edge())) {
-        division.parameters.erase(division.parameters.begin() + (is_at_source ? 1 : n - 1));
-        division.points.erase(division.points.begin() + (is_at_source ? 1 : n - 1));
-      }
-    }
-  }
-
-  // with the smallest of the sizes that the edge and its faces have of their own
-  Parametric_surface_mesh_criteria criteria_of_edge(std::size_t edge) const
-  {
-    Parametric_surface_mesh_criteria result = m_criteria;
-    limit_max_edge(m_model.edges()[edge].max_edge, result);
-    for(const Use& use : m_uses[edge])
-      limit_max_edge(m_model.faces()[use.face].max_edge, result);
-    return result;
-  }
-
-  double spacing_limit(std::size_t edge, double t) const
-  {
-    double limit = m_criteria.max_edge();
-    for(const Use& use : m_uses[edge])
-      limit = (std::min)(limit, m_sizes[use.face](use.use->curve, t, use.is_domain_left));
-    return limit;
-  }
-
   void start_numbering()
   {
     m_vertex_indices.assign(m_model.vertices().size(), std::size_t(no_index));
@@ -352,13 +260,13 @@ private:
 
   void number_inner_points(std::size_t edge)
   {
-    m_divisions[edge].first_inner_index = m_number_of_points;
+    m_first_inner_indices[edge] = m_number_of_points;
     m_number_of_points += m_divisions[edge].parameters.size() - 2;
   }
 
   void split(std::size_t edge, const std::vector<std::size_t>& numbers)
   {
-    Division& division = m_divisions[edge];
+    Edge_division<Kernel>& division = m_divisions[edge];
     std::vector<double> parameters;
     std::vector<Point_3> points;
     auto next = numbers.begin();
@@ -368,7 +276,7 @@ private:
       if(next != numbers.end() && *next == i) {
         const double t = 0.5 * (division.parameters[i] + division.parameters[i + 1]);
         parameters.push_back(t);
-        points.push_back(with_curve(edge, [&](const auto& curve) { return curve.point(t); }));
+        points.push_back(m_divider.point(edge, t));
         ++next;
       }
     }
@@ -379,7 +287,7 @@ private:
   // the points of a use but for its last one, which begins the next use
   void append(const Edge_use& use, std::vector<Boundary_vertex<Kernel>>& loop) const
   {
-    const Division& division = m_divisions[use.edge];
+    const Edge_division<Kernel>& division = m_divisions[use.edge];
     const std::size_t n = number_of_pieces(use.edge);
     for(std::size_t k = 0; k < n; ++k) {
       const std::size_t i = use.is_reversed ? n - k : k;

@@ -10,6 +10,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Face_turning.h>
 #include <CGAL/Parametric_surface_mesher/internal/Kept_states.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Vertex_removal.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
 #include <CGAL/number_utils.h>
 
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <iterator>
 #include <unordered_set>
 #include <vector>
 
@@ -28,8 +30,9 @@ namespace internal {
 /*
 What insertion of points could not make good, and what has an angle below the one aimed at: edges of such faces are
 flipped and their inner vertices moved, where that raises the smallest angle around and makes no face too large or too far
-from the surface. The boundary stays. Most of these faces lie beside it, where a vertex is a little off the one place that
-suits its neighbours, or where fronts have met.
+from the surface. If neither helps a face that fails the angle, one of its inner vertices is taken out, on the same terms:
+beside a piece of boundary that is longer than the edges around, there often is one too many. The boundary stays. Most of
+these faces lie beside it, where a vertex is a little off the one place that suits its neighbours, or where fronts have met.
 */
 template <class Evaluator, class IsBad>
 class Patch_repair
@@ -50,11 +53,13 @@ class Patch_repair
   };
 
   static constexpr double least_gain = 1.01; // of the squared sine
+  static constexpr double share_of_far_below = 0.6; // of the squared sine: 23 degrees, for a criterion of 30
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   const IsBad& m_is_bad;
-  double m_squared_sine, m_squared_min_edge;
+  double m_squared_sine, m_squared_sine_of_criterion, m_squared_min_edge;
+  bool m_is_full; // of vertices: then none is removed, so that the limit stays to be seen
   Star m_star;
   Kept_states<Face_handle> m_states;
   Face_turning<Evaluator> m_turn_over;
@@ -68,7 +73,10 @@ public:
                const Parametric_surface_mesh_criteria& criteria)
     : m_triangulation(triangulation), m_evaluate(evaluate), m_is_bad(is_bad),
       m_squared_sine(square(std::sin(criteria.improvement_angle() * std::atan(1.) / 45))),
-      m_squared_min_edge(square(criteria.min_edge())), m_star(triangulation, evaluate.oracle().metric()),
+      m_squared_sine_of_criterion(square(std::sin(criteria.angle() * std::atan(1.) / 45))),
+      m_squared_min_edge(square(criteria.min_edge())),
+      m_is_full(triangulation.number_of_vertices() >= criteria.max_number_of_vertices()),
+      m_star(triangulation, evaluate.oracle().metric()),
       m_turn_over(triangulation, evaluate, m_squared_min_edge)
   {}
 
@@ -87,7 +95,8 @@ public:
     while(!m_queue.empty() && attempts_left > 0 && go_further()) {
       const Face_handle face = m_queue.front();
       m_queue.pop_front();
-      m_waiting.erase(face);
+      if(m_waiting.erase(face) == 0)
+        continue; // it is gone
       if(is_poor(face)) {
         repair(face);
         --attempts_left;
@@ -132,12 +141,16 @@ private:
         return;
       vertex->set_settled(true);
     }
+    if(!m_is_full && squared_sine(face) < m_squared_sine_of_criterion)
+      for(int i = 0; i < 3; ++i)
+        if(!face->vertex(i)->is_on_boundary() && remove_if_better(face->vertex(i)))
+          return;
   }
 
   bool turn_over(Face_handle face)
   {
     const std::vector<Face_handle>& changed = m_turn_over(face);
-    number_of_failures(changed); // their states are known then
+    number_of_failures(changed, 1); // their states are known then
     add_around(changed);
     return !changed.empty();
   }
@@ -154,18 +167,20 @@ private:
     }
   }
 
-  // How many fail a criterion; those that fail another one than the angle count twice. Above `limit` the count may stop;
-  // else the state of all faces is known after it.
+  // How many fail a criterion; one that fails another one than the angle counts more than a whole star that fails that. To
+  // raise a smallest angle far below the criterion, others may get below it. Above `limit` the count may stop; else the state
+  // of all faces is known after it.
   template <class Faces>
-  std::size_t number_of_failures(const Faces& faces, std::size_t limit = std::size_t(-1)) const
+  std::size_t number_of_failures(const Faces& faces, double squared_smallest_sine, std::size_t limit = std::size_t(-1)) const
   {
+    const bool is_far_below = squared_smallest_sine < share_of_far_below * m_squared_sine_of_criterion;
     std::size_t result = 0;
     for(Face_handle face : faces) {
       if(face->state() == Face_state::GOOD)
         continue;
       const Mesh_2::Face_badness found = badness(face);
       face->set_state(found == Mesh_2::NOT_BAD ? Face_state::GOOD : Face_state::BLOCKED);
-      result += std::size_t(found != Mesh_2::NOT_BAD) + std::size_t(found == Mesh_2::IMPERATIVELY_BAD);
+      result += found == Mesh_2::IMPERATIVELY_BAD ? 1000 : found == Mesh_2::BAD && !is_far_below ? 1 : 0;
       if(result > limit)
         break;
     }
@@ -179,13 +194,14 @@ private:
     Edge_flip<Triangulation> edge(m_triangulation, face, i);
     const auto& metric = m_evaluate.oracle().metric();
     const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
-    if(!(edge.worst_after(metric, sine) > least_gain * edge.worst_before(metric, sine)) || !edge.is_valid())
+    const double worst = edge.worst_before(metric, sine);
+    if(!(edge.worst_after(metric, sine) > least_gain * worst) || !edge.is_valid())
       return false;
     const auto faces = edge.faces();
-    const std::size_t failures = number_of_failures(faces);
+    const std::size_t failures = number_of_failures(faces, worst);
     m_states.keep(faces);
     edge.flip();
-    if(number_of_failures(faces, failures) <= failures) {
+    if(number_of_failures(faces, worst, failures) <= failures) {
       add_around(faces);
       return true;
     }
@@ -210,12 +226,12 @@ private:
       if(!(m_star.squared_smallest_sine(point, least) > least) || !m_star.is_far_enough(point, old_point, m_squared_min_edge))
         continue;
       if(!is_tried) {
-        failures = number_of_failures(m_star.faces());
+        failures = number_of_failures(m_star.faces(), old_sine);
         m_states.keep(m_star.faces());
         is_tried = true;
       }
       m_star.try_at(point);
-      if(number_of_failures(m_star.faces(), failures) <= failures) {
+      if(number_of_failures(m_star.faces(), old_sine, failures) <= failures) {
         m_star.unsettle_ring();
         add_around(m_star.faces());
         return true;
@@ -226,6 +242,55 @@ private:
       m_states.give_back();
     }
     return false;
+  }
+
+  bool remove_if_better(Vertex_handle vertex)
+  {
+    m_star.collect(vertex);
+    const double worst = m_star.squared_smallest_sine(vertex->point());
+    const std::size_t failures = number_of_failures(m_star.faces(), worst);
+    m_states.keep(m_star.faces());
+    const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
+    Vertex_removal<Triangulation> removal(m_triangulation, vertex);
+    if(removal.cut_ears(m_evaluate.oracle().metric(), sine, least_gain * worst)
+       && is_better_without(vertex, removal, worst, failures)) {
+      remove(vertex, removal);
+      return true;
+    }
+    removal.undo();
+    m_states.give_back();
+    return false;
+  }
+
+  // \pre three faces are left at the vertex
+  bool is_better_without(Vertex_handle vertex, Vertex_removal<Triangulation>& removal, double worst, std::size_t failures) const
+  {
+    std::vector<Face_handle> faces = faces_without(vertex);
+    return removal.with_last_face([&](Face_handle last) {
+      faces.push_back(last);
+      return !is_collapsed(last) && !m_turn_over.is_inverted(last) && squared_sine(last) > least_gain * worst
+             && number_of_failures(faces, worst, failures) <= failures;
+    });
+  }
+
+  // \pre three faces are left at the vertex
+  void remove(Vertex_handle vertex, Vertex_removal<Triangulation>& removal)
+  {
+    std::vector<Face_handle> changed = faces_without(vertex);
+    for(Face_handle face : removal.faces())
+      m_waiting.erase(face);
+    changed.push_back(removal.remove());
+    number_of_failures(changed, 1); // their states are known then
+    add_around(changed);
+  }
+
+  // those of the star that are no longer at its centre
+  std::vector<Face_handle> faces_without(Vertex_handle vertex) const
+  {
+    std::vector<Face_handle> result;
+    std::copy_if(m_star.faces().begin(), m_star.faces().end(), std::back_inserter(result),
+                 [&](Face_handle face) { return !face->has_vertex(vertex); });
+    return result;
   }
 
   // Places that may give a smallest angle above that of `least`, the best first.
