@@ -168,8 +168,8 @@ private:
   }
 
   // How many fail a criterion; one that fails another one than the angle counts more than a whole star that fails that. To
-  // raise a smallest angle far below the criterion, others may get below it. Above `limit` the count may stop; else the state
-  // of all faces is known after it.
+  // raise a smallest angle far below the criterion, others beside the boundary may get below it: in the midst of the mesh
+  // there is a better way. Above `limit` the count may stop; else the state of all faces is known after it.
   template <class Faces>
   std::size_t number_of_failures(const Faces& faces, double squared_smallest_sine, std::size_t limit = std::size_t(-1)) const
   {
@@ -180,11 +180,28 @@ private:
         continue;
       const Mesh_2::Face_badness found = badness(face);
       face->set_state(found == Mesh_2::NOT_BAD ? Face_state::GOOD : Face_state::BLOCKED);
-      result += found == Mesh_2::IMPERATIVELY_BAD ? 1000 : found == Mesh_2::BAD && !is_far_below ? 1 : 0;
+      if(found == Mesh_2::IMPERATIVELY_BAD)
+        result += 1000;
+      else if(found == Mesh_2::BAD && !(is_far_below && is_beside_boundary(face)))
+        ++result;
       if(result > limit)
         break;
     }
     return result;
+  }
+
+  static bool touches_boundary(Face_handle face)
+  {
+    return face->vertex(0)->is_on_boundary() || face->vertex(1)->is_on_boundary() || face->vertex(2)->is_on_boundary();
+  }
+
+  // itself or a neighbour
+  static bool is_beside_boundary(Face_handle face)
+  {
+    for(int i = 0; i < 3; ++i)
+      if(face->neighbor(i) != Face_handle() && touches_boundary(face->neighbor(i)))
+        return true;
+    return touches_boundary(face);
   }
 
   bool flip_if_better(Face_handle face, int i)
