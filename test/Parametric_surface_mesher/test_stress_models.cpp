@@ -118,8 +118,9 @@ struct Soup
   {
     report = CGAL::make_parametric_surface_triangle_soup(model, fifth, points, triangles, patch_ids);
     EXPECT_EQ(triangles.size(), patch_ids.size());
-    if(are_points_distinct)
+    if(are_points_distinct) {
       EXPECT_EQ(points.size(), std::set<Point_3>(points.begin(), points.end()).size());
+    }
     EXPECT_EQ(points.size(), report.number_of_vertices);
     EXPECT_EQ(triangles.size(), report.number_of_faces);
   }
