@@ -62,8 +62,9 @@ the edge. On a regular parametrisation that bounds the distance from the mesh, a
 line bends within the surface. Around a singular point (a pole, where a side of the domain collapses) those images
 bend however small the edges are: at a distance `r` the ratio is `L / 8r`. Closer to such a point than `L / 6 gamma`
 only the part of `H` along the surface normal counts. It is the same with edges at an end of which
-the first derivatives change, within the surface, by as much as they are over the length of the edge, as long as `H/L` is
-below 0.3: there the parametrisation is singular, or nearly so.
+the first derivatives change, within the surface, by as much as they are over the length of the edge, and with edges between
+the ends of which the derivative along them changes by as much as it is at the slower end, as long as `H/L` is below 0.3:
+there the parametrisation is singular, or nearly so, or derivatives jump across a line, and edges bend however short they are.
 
 \tparam Surface_ a model of `ParametricSurface_3`
 \tparam MetricField a model of `ParametricSurfaceMetricField_2`
@@ -151,7 +152,19 @@ private:
       return false;
     if(!m_singular_points.empty() && is_near_singular_point(midpoint(a, b), std::sqrt(squared_length) / (6 * gamma)))
       return true;
-    return squared_height < 0.09 * squared_length && (is_singular_over(p, squared_length, gamma) || is_singular_over(q, squared_length, gamma));
+    return squared_height < 0.09 * squared_length
+           && (is_singular_over(p, squared_length, gamma) || is_singular_over(q, squared_length, gamma) || has_jump_between(p, q));
+  }
+
+  // Whether the derivative along an edge changes by as much as it is: if first derivatives jump across a line, shorter edges
+  // across it bend as much.
+  template <class ParametricPoint>
+  bool has_jump_between(const ParametricPoint& p, const ParametricPoint& q) const
+  {
+    const Surface_jet_3<Geom_traits> at_p = m_surface.jet(p.x(), p.y()), at_q = m_surface.jet(q.x(), q.y());
+    const double du = q.x() - p.x(), dv = q.y() - p.y();
+    const Vector_3 from_p = du * at_p.du + dv * at_p.dv, from_q = du * at_q.du + dv * at_q.dv;
+    return (from_p - from_q).squared_length() > (std::min)(from_p.squared_length(), from_q.squared_length());
   }
 
   // Whether, at the end `p` of an edge, first derivatives change within the surface by as much as they are over its length.

@@ -319,7 +319,7 @@ TEST(Split_patch_of_model, box_and_ring)
     CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(sample.model, criteria, parallel,
                                                            CGAL::parameters::vertex_uv_map(uv_map(parallel)));
     check_identical(sequential, parallel);
-  check_identical_connectivity(sequential, parallel);
+    check_identical_connectivity(sequential, parallel);
     const CGAL::Triangle_mesh_quality q = CGAL::triangle_mesh_quality(sequential);
     EXPECT_TRUE(q.is_manifold);
     EXPECT_TRUE(q.is_closed);

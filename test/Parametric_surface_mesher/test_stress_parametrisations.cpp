@@ -404,8 +404,7 @@ TEST(Creases, flat_spline_of_degree_1)
   expect_topology(m, 1, 1, 1);
   expect_positive_orientation(m);
   EXPECT_NEAR(1, m.area, 1e-9); // nothing is turned over
-  // Edges of the boundary that run across a jump of a hundred times cannot be in good triangles, which costs some around.
-  EXPECT_LE(m.triangles.size(), 4 * number_of_equilateral_triangles(1, 0.1));
+  EXPECT_LE(m.triangles.size(), 3 * number_of_equilateral_triangles(1, 0.1));
 }
 
 // A surface that is defined on a disc only, and may not be asked outside the box around it.

@@ -88,7 +88,7 @@ void check_coarsest(const Model& model, const Expected& expected)
     const Meshed m = mesh_and_check(model, Criteria().set_max_edge(100 * std::sqrt(expected.area())).set_gamma(gamma));
     expect_topology(m, expected);
     // curvature asks for some at a gamma of 0.2, and around an apex at any gamma
-    EXPECT_LE(m.triangles.size(), (gamma < 1 ? 2000 : 450) * model.faces().size());
+    EXPECT_LE(m.triangles.size(), (gamma < 1 ? 2000 : 400) * model.faces().size());
   }
 }
 

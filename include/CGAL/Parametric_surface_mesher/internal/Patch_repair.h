@@ -108,10 +108,14 @@ private:
   // \pre the state of the face is known
   bool is_poor(Face_handle face) const { return face->state() == Face_state::BLOCKED || squared_sine(face) < m_squared_sine; }
 
+  // A face on the wrong side is worse than one with a small angle, which it may have, too.
   Mesh_2::Face_badness badness(Face_handle face) const
   {
+    if(is_collapsed(face))
+      return Mesh_2::NOT_BAD;
     typename IsBad::Quality quality;
-    return is_collapsed(face) ? Mesh_2::NOT_BAD : m_is_bad(face, quality);
+    const Mesh_2::Face_badness found = m_is_bad(face, quality);
+    return found == Mesh_2::BAD && m_turn_over.is_inverted(face) ? Mesh_2::IMPERATIVELY_BAD : found;
   }
 
   double squared_sine(Face_handle face) const

@@ -55,6 +55,10 @@ public:
     if(jet.duu == NULL_VECTOR && jet.duv == NULL_VECTOR && jet.dvv == NULL_VECTOR)
       return m_criteria.max_edge();
     const double limit = limit_for(Surface_curvature_3<Kernel>(jet).max_absolute_curvature());
+    // No vertex will be much closer to a singular point than this: then there is no limit, as at the point itself. Around an
+    // apex the limit tends to zero, and may yet be longer than the distance from it.
+    if(m_oracle.is_near_singular_point(jet.point, 0.25 * limit))
+      return m_criteria.max_edge();
     // around a singular point the lines bend however small the edges are, and the oracle does not count that
     if(m_oracle.is_near_singular_point(jet.point, limit / (6 * m_criteria.gamma())))
       return limit;
