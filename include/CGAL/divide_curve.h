@@ -256,7 +256,7 @@ half is not shorter than `min_edge`.
 Two rules go beyond the paper, so that triangles along the curve can be well shaped: a piece is halved too while it is more
 than 1.4 times as long as `size` wants, and after that pieces more than twice as long as a neighbour are.
 
-Lengths are arc lengths in space by adaptive quadrature. A curve of length 0 (a collapsed side of a patch) is one piece.
+Lengths are arc lengths in space, integrals of the speed's expansions in Legendre polynomials. A curve of length 0 (a collapsed side of a patch) is one piece.
 
 \param curve the curve: a model of `ParametricCurve_3`
 \param criteria gives `max_edge`, `min_edge` (both must be set), `gamma` and the deviation measure
@@ -276,7 +276,7 @@ std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_me
   const auto speed = [&curve](double t) { return curve.speed(t); };
   typedef Parametric_surface_mesher::internal::Arc_length<decltype(speed)> Arc_length;
   Arc_length arc_length(speed, curve.begin(), curve.end(), 4);
-  arc_length.refine(std::size_t((std::min)(arc_length.length() / criteria.max_edge(), 1e5)));
+  arc_length.refine(std::size_t((std::min)(arc_length.length() / (8 * criteria.max_edge()), 1e5)));
   if(!(arc_length.length() > 0))
     return {curve.begin(), curve.end()};
 

@@ -3,12 +3,12 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_ARC_LENGTH_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_ARC_LENGTH_H
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <CGAL/Parametric_surface_mesher/internal/Legendre_expansion.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -22,108 +22,116 @@ struct Curve_position
   double parameter;
 };
 
-// The arc length of a curve in space, by adaptive quadrature of its speed, and its inverse. Where the speed is the same at
-// all points of the quadrature, as on lines and circles, it counts as constant.
+// The arc length of a curve in space, and its inverse. The curve is asked for its speed once, at the nodes of expansions in
+// Legendre polynomials on intervals that are halved until these have converged; all lengths are integrals of the expansions.
 template <class Speed>
 class Arc_length
 {
+  struct Interval
+  {
+    Curve_position begin;
+    double half_width; // of its parameters; negative if they descend
+    Legendre_expansion speed;
+
+    double local(double t) const { return (t - begin.parameter) / half_width - 1; }
+    double length_at(double t) const { return begin.length + std::fabs(half_width) * speed.integral(local(t)); }
+  };
+
+  static constexpr double tolerance = 1e-9; // of the speed, relative
+  static const int max_depth = 10;
+
   Speed m_speed;
-  std::vector<Curve_position> m_table;
-  double m_constant_speed = -1; // below 0 if it is not constant
+  std::vector<Interval> m_intervals;
+  Curve_position m_begin, m_end;
 
 public:
-  // `speed(t)` is the length of the derivative; `end < begin` is allowed. The length is tabulated at `n` intervals.
-  Arc_length(Speed speed, double begin, double end, std::size_t n) : m_speed(speed)
+  // `speed(t)` is the length of the derivative; `end < begin` is allowed. At least `n` intervals are looked at.
+  Arc_length(Speed speed, double begin, double end, std::size_t n) : m_speed(speed), m_begin{0, begin}, m_end{0, end}
   {
-    double smallest = std::numeric_limits<double>::infinity(), largest = 0;
-    tabulate(begin, end, n, [&](double t) {
-      const double result = m_speed(t);
-      smallest = (std::min)(smallest, result);
-      largest = (std::max)(largest, result);
-      return result;
-    });
-    if(largest <= (1 + 1e-13) * smallest)
-      m_constant_speed = largest;
+    expand(n);
   }
 
-  double length() const { return m_table.back().length; }
+  double length() const { return m_end.length; }
 
-  // Tabulates the length at `n` intervals, unless there are as many or the speed is constant.
+  // looks at `n` intervals, if these are more
   void refine(std::size_t n)
   {
-    if(n + 1 > m_table.size() && !is_constant())
-      tabulate(m_table.front().parameter, m_table.back().parameter, n, m_speed);
+    if(n > m_intervals.size())
+      expand(n);
   }
 
   // the length up to the parameter `t`
-  double length_at(double t) const
-  {
-    const bool is_ascending = m_table.back().parameter > m_table.front().parameter;
-    const auto above = std::upper_bound(m_table.begin() + 1, m_table.end() - 1, t, [&](double t, const Curve_position& p) {
-      return is_ascending ? t < p.parameter : t > p.parameter;
-    });
-    return (above - 1)->length + length_between((above - 1)->parameter, t);
-  }
+  double length_at(double t) const { return interval_at(t).length_at(t); }
 
   // the position up to which the curve has length `s`
   Curve_position position_at(double s) const
   {
     if(s <= 0)
-      return m_table.front();
+      return m_begin;
     if(s >= length())
-      return m_table.back();
-    const auto above = std::upper_bound(m_table.begin(), m_table.end(), s,
-                                        [](double s, const Curve_position& p) { return s < p.length; });
-    return position_between(*(above - 1), *above, s);
+      return m_end;
+    return position_between(m_begin, m_end, s);
   }
 
   // The position of length `s` between two known ones, by Newton steps that keep a bracket.
   Curve_position position_between(const Curve_position& from, const Curve_position& to, double s) const
   {
-    double t0 = from.parameter, t1 = to.parameter;
-    double t = t0 + (t1 - t0) * (s - from.length) / (to.length - from.length);
-    if(is_constant())
-      return {s, t};
+    const Interval& interval = *std::prev(std::upper_bound(
+      m_intervals.begin() + 1, m_intervals.end(), s, [](double s, const Interval& i) { return s < i.begin.length; }));
+    const double sign = interval.half_width > 0 ? 1 : -1;
+    double t0 = clamped(interval.begin.parameter, from, to),
+           t1 = clamped(interval.begin.parameter + 2 * interval.half_width, from, to);
+    double t = from.parameter + (to.parameter - from.parameter) * (s - from.length) / (to.length - from.length);
+    if(!((t - t0) * (t - t1) < 0))
+      t = 0.5 * (t0 + t1);
     for(int step = 0; step < 60; ++step) {
-      const double excess = from.length + length_between(from.parameter, t) - s;
-      if(std::fabs(excess) <= 1e-11 * length())
+      const double excess = interval.length_at(t) - s;
+      if(std::fabs(excess) <= 1e-13 * length())
         break;
       (excess < 0 ? t0 : t1) = t;
-      const double newton = t - excess / m_speed(t) * (to.parameter > from.parameter ? 1 : -1);
-      const bool is_inside = (newton - t0) * (newton - t1) < 0;
-      t = is_inside ? newton : 0.5 * (t0 + t1);
-      const bool is_last_step = is_inside && std::fabs(excess) <= 1e-7 * length(); // leaves the square of that
-      if(t == t0 || t == t1 || is_last_step)
+      const double newton = t - sign * excess / interval.speed.value(interval.local(t));
+      t = (newton - t0) * (newton - t1) < 0 ? newton : 0.5 * (t0 + t1);
+      if(t == t0 || t == t1)
         break;
     }
     return {s, t};
   }
 
 private:
-  bool is_constant() const { return m_constant_speed >= 0; }
-
-  template <class Function>
-  void tabulate(double begin, double end, std::size_t n, const Function& speed)
+  static double clamped(double t, const Curve_position& a, const Curve_position& b)
   {
-    m_table.assign(1, Curve_position{0, begin});
-    for(std::size_t i = 1; i <= n; ++i) {
-      const double t = i == n ? end : begin + (end - begin) * double(i) / double(n);
-      m_table.push_back({m_table.back().length + integral(speed, m_table.back().parameter, t), t});
+    return (std::max)((std::min)(a.parameter, b.parameter), (std::min)((std::max)(a.parameter, b.parameter), t));
+  }
+
+  const Interval& interval_at(double t) const
+  {
+    const bool is_ascending = m_end.parameter > m_begin.parameter;
+    return *std::prev(std::upper_bound(m_intervals.begin() + 1, m_intervals.end(), t, [=](double t, const Interval& i) {
+      return is_ascending ? t < i.begin.parameter : t > i.begin.parameter;
+    }));
+  }
+
+  void expand(std::size_t n)
+  {
+    m_intervals.clear();
+    m_end.length = 0;
+    const double begin = m_begin.parameter, width = m_end.parameter - begin;
+    for(std::size_t i = 0; i < n; ++i)
+      append(begin + width * double(i) / double(n), begin + width * double(i + 1) / double(n), max_depth);
+  }
+
+  // halves the interval from `t0` to `t1` as far as needed
+  void append(double t0, double t1, int depth)
+  {
+    const double middle = t0 + 0.5 * (t1 - t0), half_width = 0.5 * (t1 - t0);
+    const Legendre_expansion speed([&](double x) { return m_speed(middle + x * half_width); });
+    if(depth > 0 && !speed.has_converged(tolerance)) {
+      append(t0, middle, depth - 1);
+      append(middle, t1, depth - 1);
+      return;
     }
-  }
-
-  double length_between(double t0, double t1) const
-  {
-    return is_constant() ? std::fabs(t1 - t0) * m_constant_speed : integral(m_speed, t0, t1);
-  }
-
-  template <class Function>
-  static double integral(const Function& speed, double t0, double t1)
-  {
-    // over [0,1], as the quadrature's stopping test does not scale with the interval
-    const auto scaled_speed = [&](double x) { return speed(t0 + x * (t1 - t0)); };
-    return std::fabs(t1 - t0)
-           * boost::math::quadrature::gauss_kronrod<double, 15>::integrate(scaled_speed, 0., 1., 12, 1e-9);
+    m_intervals.push_back({{m_end.length, t0}, half_width, speed});
+    m_end.length += std::fabs(half_width) * speed.integral(1);
   }
 };
 

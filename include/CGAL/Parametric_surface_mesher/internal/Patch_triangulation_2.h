@@ -65,7 +65,7 @@ class alignas(64) Patch_face_base_2
   static const std::uint32_t no_number = std::uint32_t(-1);
   std::uint32_t m_stamp = 0, m_number = no_number;
   Face_state m_state = Face_state::UNKNOWN;
-  bool m_is_in_domain = false;
+  std::uint8_t m_nesting_level = 0;
   std::uint8_t m_close_edges = 0; // one bit each
 
 public:
@@ -77,8 +77,11 @@ public:
     typedef Patch_face_base_2<Traits, typename Base::template Rebind_TDS<Tds>::Other> Other;
   };
 
-  bool is_in_domain() const { return m_is_in_domain; }
-  void set_in_domain(bool b) { m_is_in_domain = b; }
+  // How many loops of the boundary are around: none outside of all, one in the domain, two in its holes.
+  int nesting_level() const { return m_nesting_level; }
+  void set_nesting_level(int level) { m_nesting_level = std::uint8_t(level); }
+  bool is_in_domain() const { return m_nesting_level == 1; }
+  void set_in_domain(bool b) { m_nesting_level = b ? 1 : 0; }
 
   // Changes whenever the face does, so that a queue entry can tell whether it is out of date.
   std::uint32_t stamp() const { return m_stamp; }

@@ -16,7 +16,6 @@
 #include <cstdint>
 #include <numeric>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -139,49 +138,58 @@ private:
         visit(l, m_vertices[i], m_vertices[i + 1 < m_starts[l + 1] ? i + 1 : m_starts[l]]);
   }
 
+  // Most segments are edges of the triangulation already, which stays Delaunay if these are but marked.
   void insert_constraints()
   {
-    for_each_segment([this](std::size_t, Vertex_handle a, Vertex_handle b) { m_triangulation.insert_constraint(a, b); });
+    for_each_segment([this](std::size_t, Vertex_handle a, Vertex_handle b) {
+      Face_handle face;
+      int i = 0;
+      if(m_triangulation.is_edge(a, b, face, i)) {
+        face->neighbor(i)->set_constraint(m_triangulation.mirror_index(face, i), true);
+        face->set_constraint(i, true);
+      }
+      else
+        m_triangulation.insert_constraint(a, b);
+    });
   }
 
-  // Faces outside the outer loop have nesting level 0, those of the domain 1, those in holes 2.
   void mark_domain()
   {
-    const std::unordered_map<Face_handle, int> levels = nesting_levels();
+    set_nesting_levels();
     std::vector<bool> is_checked(m_loops.size(), false);
     for_each_segment([&](std::size_t l, Vertex_handle a, Vertex_handle b) {
       if(!is_checked[l])
-        check_nesting(l, a, b, levels);
+        check_nesting(l, a, b);
       is_checked[l] = true;
     });
-    for(Face_handle face : m_triangulation.finite_face_handles())
-      face->set_in_domain(levels.at(face) == 1);
   }
 
-  std::unordered_map<Face_handle, int> nesting_levels() const
+  // from outside inwards
+  void set_nesting_levels()
   {
-    std::unordered_map<Face_handle, int> levels;
+    const int unknown = 255;
+    for(Face_handle face : m_triangulation.all_face_handles())
+      face->set_nesting_level(unknown);
     std::vector<Face_handle> level(1, m_triangulation.infinite_face()), next;
-    for(int depth = 0; !level.empty(); ++depth, level.swap(next), next.clear())
+    for(int depth = 0; !level.empty(); depth = (std::min)(depth + 1, unknown - 1), level.swap(next), next.clear())
       while(!level.empty()) {
         const Face_handle face = level.back();
         level.pop_back();
-        if(!levels.emplace(face, depth).second)
+        if(face->nesting_level() != unknown)
           continue;
+        face->set_nesting_level(depth);
         for(int i = 0; i < 3; ++i)
-          if(levels.find(face->neighbor(i)) == levels.end())
+          if(face->neighbor(i)->nesting_level() == unknown)
             (face->is_constrained(i) ? next : level).push_back(face->neighbor(i));
       }
-    return levels;
   }
 
-  void check_nesting(std::size_t l, Vertex_handle a, Vertex_handle b,
-                     const std::unordered_map<Face_handle, int>& levels) const
+  void check_nesting(std::size_t l, Vertex_handle a, Vertex_handle b) const
   {
     Face_handle face;
     int i = 0;
     m_triangulation.is_edge(a, b, face, i);
-    const int level = (std::min)(levels.at(face), levels.at(face->neighbor(i)));
+    const int level = (std::min)(face->nesting_level(), face->neighbor(i)->nesting_level());
     if(l == 0 && level != 0)
       throw Parametric_surface_mesh_error("loop 0, the outer loop, lies inside another loop, at (u,v) = "
                                           + describe(a->point()));
