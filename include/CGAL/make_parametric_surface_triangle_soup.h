@@ -3,6 +3,7 @@
 #ifndef CGAL_MAKE_PARAMETRIC_SURFACE_TRIANGLE_SOUP_H
 #define CGAL_MAKE_PARAMETRIC_SURFACE_TRIANGLE_SOUP_H
 
+#include <CGAL/Container_helper.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>
 #include <CGAL/make_parametric_surface_mesh.h>
@@ -28,7 +29,9 @@ void fill_triangle_soup(const Indexed_mesh<Kernel>& mesh, std::vector<Point_3>& 
     const auto& part = mesh.parts[i];
     std::copy(part.points.begin(), part.points.end(), points.begin() + part.first_point);
     for(std::size_t f = 0; f < part.faces.size(); ++f) {
-      std::copy(part.faces[f].begin(), part.faces[f].end(), triangles[part.first_face + f].begin());
+      Triangle& triangle = triangles[part.first_face + f];
+      CGAL::internal::resize(triangle, 3); // where it is not always three
+      std::copy(part.faces[f].begin(), part.faces[f].end(), triangle.begin());
       patch_ids[part.first_face + f] = part.patch;
     }
   });
@@ -46,7 +49,8 @@ an edge, so that a model with edges of three or more faces, or of several shells
 \tparam Surface a model of `ParametricSurface_3`
 \tparam Criteria a model of `ParametricSurfaceMeshCriteria_2`, usually `Parametric_surface_mesh_criteria`
 \tparam Point_3 the point type of the surfaces
-\tparam Triangle an array of three numbers of points: `std::array<std::size_t, 3>`
+\tparam Triangle a range of three numbers of points: `std::array<std::size_t, 3>`, or `std::vector<std::size_t>` as other
+polygon soups have it
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `metric_field`, `visitor` and
 `leaves_out_bad_faces` as for `make_parametric_surface_mesh()`
 

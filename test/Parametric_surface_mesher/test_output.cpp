@@ -145,6 +145,20 @@ TEST(Output, triangle_soup)
   }
 }
 
+TEST(Output, triangle_soup_of_ranges_without_a_fixed_size)
+{
+  const Sample_mesh_of_model expected("box");
+  std::vector<Point_3> points;
+  std::vector<std::array<std::size_t, 3>> arrays;
+  std::vector<std::vector<std::size_t>> vectors(1, {7, 7, 7, 7, 7});
+  std::vector<std::size_t> patches;
+  CGAL::make_parametric_surface_triangle_soup(expected.sample.model, expected.criteria, points, arrays, patches);
+  CGAL::make_parametric_surface_triangle_soup(expected.sample.model, expected.criteria, points, vectors, patches);
+  ASSERT_EQ(arrays.size(), vectors.size());
+  for(std::size_t t = 0; t < arrays.size(); ++t)
+    ASSERT_EQ(std::vector<std::size_t>(arrays[t].begin(), arrays[t].end()), vectors[t]);
+}
+
 // Maps of all kinds get the same values.
 TEST(Output, property_maps)
 {
