@@ -8,6 +8,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -38,6 +39,7 @@ class Chord_splitter
   Chords& m_chords_of_shell;
   Chords m_chords; // of the patch
   Vertex_insertion<Triangulation> m_insertion;
+  bool m_has_copies = false; // of vertices: else no inner vertex is joined to two of them
   std::map<std::pair<const void*, std::size_t>, Vertex_handle> m_spokes; // looked up, never run through: addresses decide nothing
 
 public:
@@ -64,11 +66,25 @@ private:
   {
     m_chords.clear();
     m_spokes.clear();
-    std::vector<Chord> result;
+    std::vector<Vertex_handle> boundary;
     for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
       if(vertex->is_on_boundary()) // of the patch, or of the part it is cut into
-        find_repeated_around(vertex, result);
+        boundary.push_back(vertex);
+    m_has_copies = have_copies(boundary);
+    std::vector<Chord> result;
+    for(Vertex_handle vertex : boundary)
+      find_repeated_around(vertex, result);
     return result;
+  }
+
+  // as on both sides of a seam
+  static bool have_copies(const std::vector<Vertex_handle>& vertices)
+  {
+    std::vector<std::size_t> indices;
+    for(Vertex_handle vertex : vertices)
+      indices.push_back(vertex->index());
+    std::sort(indices.begin(), indices.end());
+    return std::adjacent_find(indices.begin(), indices.end()) != indices.end();
   }
 
   void find_repeated_around(Vertex_handle vertex, std::vector<Chord>& repeated)
@@ -84,8 +100,10 @@ private:
 
   void collect(Vertex_handle v, Vertex_handle w, std::vector<Chord>& repeated)
   {
-    if(!v->is_on_boundary())
-      collect_spoke(v, w, repeated);
+    if(!v->is_on_boundary()) {
+      if(m_has_copies)
+        collect_spoke(v, w, repeated);
+    }
     else if(v->index() <= w->index()) // it is seen from both sides: that from the smaller to the larger index counts
       if(v->index() == w->index() || m_chords_of_shell.count({v->index(), w->index()}) > 0
          || !m_chords.emplace(v->index(), w->index()).second)

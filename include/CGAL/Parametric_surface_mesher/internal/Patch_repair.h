@@ -86,12 +86,14 @@ public:
   template <class GoFurther>
   void operator()(const GoFurther& go_further)
   {
-    std::size_t attempts_left = 1000 + m_triangulation.number_of_faces() / 20;
-    for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
-      vertex->set_settled(false);
     for(Face_handle face : m_triangulation.finite_face_handles())
       if(face->is_in_domain())
         add_if_poor(face);
+    if(m_queue.empty())
+      return;
+    for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
+      vertex->set_settled(false);
+    std::size_t attempts_left = 1000 + m_triangulation.number_of_faces() / 20;
     while(!m_queue.empty() && attempts_left > 0 && go_further()) {
       const Face_handle face = m_queue.front();
       m_queue.pop_front();
@@ -106,7 +108,10 @@ public:
 
 private:
   // \pre the state of the face is known
-  bool is_poor(Face_handle face) const { return face->state() == Face_state::BLOCKED || squared_sine(face) < m_squared_sine; }
+  bool is_poor(Face_handle face) const
+  {
+    return face->state() == Face_state::BLOCKED || (m_squared_sine > 0 && squared_sine(face) < m_squared_sine);
+  }
 
   // A face on the wrong side is worse than one with a small angle, which it may have, too.
   Mesh_2::Face_badness badness(Face_handle face) const
