@@ -73,9 +73,11 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
 {
   const auto& shape = result.shape;
   nlohmann::ordered_json left_out = nlohmann::ordered_json::array(), gaps = nlohmann::ordered_json::array(),
-                         inner_edges = nlohmann::ordered_json::array();
+                         closed_up = nlohmann::ordered_json::array(), inner_edges = nlohmann::ordered_json::array();
   for(const auto& face : result.left_out)
     left_out.push_back({{"face", face.shape_face + 1}, {"reason", face.reason}});
+  for(const auto& face : shape.closed_up)
+    closed_up.push_back({{"face", face.shape_face + 1}, {"width", face.width}});
   for(const auto& gap : shape.gaps)
     gaps.push_back({{"edge", gap.shape_edge + 1}, {"face", gap.shape_face + 1}, {"distance", gap.distance}, {"tolerance", gap.tolerance}});
   for(const auto& edge : shape.inner_edges)
@@ -85,6 +87,7 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
           {"edges", shape.number_of_shape_edges},
           {"meshed_faces", number_of_meshed_faces(result)},
           {"left_out", left_out},
+          {"closed_up", closed_up},
           {"shape_closed", shape.is_shape_closed},
           {"largest_gap", shape.largest_gap},
           {"gaps_above_tolerance", gaps},
@@ -176,6 +179,8 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
   const auto& shape = result.shape;
   for(const auto& face : result.left_out)
     out << "  LEFT OUT face " << face.shape_face + 1 << ": " << face.reason << "\n";
+  for(const auto& face : shape.closed_up)
+    out << "  face " << closed_up_text(face) << "\n";
   for(const auto& edge : shape.inner_edges)
     out << "  edge " << edge.shape_edge + 1 << " is inside of face " << edge.shape_face + 1 << ", and the mesh does not follow it\n";
   if(result.number_of_sewn_edges > 0)
