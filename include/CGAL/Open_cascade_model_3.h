@@ -60,7 +60,8 @@ struct Open_cascade_model_3
 
   Model model; ///< its first edges are those of the shape, in their order; then come collapsed ones that the shape lacks
   std::vector<std::size_t> shape_faces; ///< for each face of the model, its number in the shape; a face between two shells appears twice
-  std::vector<std::size_t> model_edges; ///< for each edge of the shape, that of the model: the same, unless a face is closed up
+  /// for each edge of the shape, those of the model along it: the same, unless a face is closed up; none if it is a vertex
+  std::vector<std::vector<std::size_t>> model_edges;
   std::size_t number_of_shape_faces = 0;
   std::size_t number_of_shape_edges = 0;
   double diagonal = 0; ///< of the box of the shape

@@ -24,10 +24,11 @@ measured; where they are larger than the tolerance says the edge is listed in `O
 by projection.
 - Faces of spheres may get other parameters than those of the file: by a stereographic projection, where there is no seam or
 the boundary runs through a pole.
-- A face that is nowhere wider than a millionth of the diagonal is closed up: the two long edges of its boundary are one edge
-of the model, and shorter edges a vertex, so that its neighbours meet without a gap. It is listed in
-`Open_cascade_model_3::closed_up`, and not in the model. A face with more long edges than two is not closed up, and neither is
-one between two parts of the boundary of one face, where this would be left with an edge there and back.
+- A face that is nowhere wider than a millionth of the diagonal is closed up, so that its neighbours meet without a gap: of
+two edges side by side one takes the place of both, or several that of one along them, and shorter edges become a vertex.
+The face is listed in `Open_cascade_model_3::closed_up`, and not in the model. It stays and is meshed, like those beside it, if
+several edges on one side end at other places than several on the other one, if a neighbour would be left with an edge there
+and back, or if it is wider than this together with others that are closed up.
 - A face that cannot be built, or where the kernel throws an exception, is left out and listed with its reason. It does
 not matter for the others.
 

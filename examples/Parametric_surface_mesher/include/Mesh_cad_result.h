@@ -106,10 +106,11 @@ inline void set_sizes(const Mesh_cad_options& options, CGAL::Open_cascade_model_
     if(found != options.max_edge_of_face.end())
       shape.model.faces()[f].max_edge = found->second;
   }
-  for(const auto& size : options.max_edge_of_edge) {
-    double& max_edge = shape.model.edges()[shape.model_edges[size.first - 1]].max_edge;
-    max_edge = max_edge > 0 ? (std::min)(max_edge, size.second) : size.second;
-  }
+  for(const auto& size : options.max_edge_of_edge)
+    for(const std::size_t e : shape.model_edges[size.first - 1]) {
+      double& max_edge = shape.model.edges()[e].max_edge;
+      max_edge = max_edge > 0 ? (std::min)(max_edge, size.second) : size.second;
+    }
   if(!options.spheres.is_empty())
     shape.model.set_sizing_field(options.spheres);
 }

@@ -19,31 +19,39 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
+// A curve in space, or a part of it, with its arc length.
+template <class Kernel>
+struct Measured_space_curve
+{
+  typedef std::shared_ptr<const Space_curve_3<Kernel>> Curve;
+
+  Curve curve;
+  double begin, end; // parameters
+  Arc_length<std::function<double(double)>> length;
+
+  Measured_space_curve(const Curve& c, double t0, double t1)
+    : curve(c), begin(t0), end(t1), length([c](double t) { return c->speed(t); }, t0, t1, 16)
+  {}
+  explicit Measured_space_curve(const Curve& c) : Measured_space_curve(c, c->begin(), c->end()) {}
+
+  double parameter_at(double share) const { return length.position_at(share * length.length()).parameter; }
+};
+
 // Two curves in space, side by side, that are to be one. Points correspond that have the same share of the length before
 // them, or on the second one behind them if it runs back.
 template <class Kernel>
 class Edge_match
 {
-  typedef Space_curve_3<Kernel> Space_curve;
+  typedef Measured_space_curve<Kernel> Measured_curve;
   typedef Domain_curve_2<Kernel> Curve;
 
   static const int number_of_samples = 64;
-
-  struct Measured_curve
-  {
-    std::shared_ptr<const Space_curve> curve;
-    Arc_length<std::function<double(double)>> length;
-
-    explicit Measured_curve(const std::shared_ptr<const Space_curve>& c)
-      : curve(c), length([c](double t) { return c->speed(t); }, c->begin(), c->end(), 16)
-    {}
-  };
 
   std::shared_ptr<const Measured_curve> m_first, m_second;
   bool m_is_reversed;
 
 public:
-  Edge_match(const std::shared_ptr<const Space_curve>& first, const std::shared_ptr<const Space_curve>& second, bool is_reversed)
+  Edge_match(const Measured_curve& first, const Measured_curve& second, bool is_reversed)
     : m_first(std::make_shared<Measured_curve>(first)), m_second(std::make_shared<Measured_curve>(second)),
       m_is_reversed(is_reversed)
   {}
@@ -55,8 +63,9 @@ public:
   {
     double squared = 0;
     for(int i = 0; i <= number_of_samples; ++i) {
-      const double t = parameter_on(*m_first, double(i) / number_of_samples);
-      squared = (std::max)(squared, CGAL::to_double(squared_distance(m_first->curve->point(t), m_second->curve->point(parameter(t)))));
+      const double t = m_first->parameter_at(double(i) / number_of_samples);
+      const double d = squared_distance(m_first->curve->point(t), m_second->curve->point(parameter(t)));
+      squared = (std::max)(squared, d);
     }
     return std::sqrt(squared);
   }
@@ -65,30 +74,27 @@ public:
   // known, and not needed: an edge is measured on its curve in space.)
   Curve reparametrized(const Curve& curve) const
   {
-    if(curve.is_straight() && is_proportional())
-      return m_is_reversed ? Curve::segment(curve.target(), curve.source()) : curve;
+    const auto source = curve.point(m_is_reversed ? m_second->end : m_second->begin),
+               target = curve.point(m_is_reversed ? m_second->begin : m_second->end);
+    if(curve.is_straight() && is_linear())
+      return Curve::segment(source, target);
     const auto jet = [match = *this, curve](double t) {
       auto result = curve.jet(match.parameter(t));
       result.first = match.derivative(t) * result.first;
       result.second = 0 * result.second;
       return result;
     };
-    Curve result(jet, m_first->curve->begin(), m_first->curve->end());
-    result.set_end_points(m_is_reversed ? curve.target() : curve.source(), m_is_reversed ? curve.source() : curve.target());
+    Curve result(jet, m_first->begin, m_first->end);
+    result.set_end_points(source, target);
     return result;
   }
 
 private:
-  static double parameter_on(const Measured_curve& curve, double share)
-  {
-    return curve.length.position_at(share * curve.length.length()).parameter;
-  }
-
   // of the second curve
   double parameter(double t) const
   {
     const double share = m_first->length.length_at(t) / m_first->length.length();
-    return parameter_on(*m_second, m_is_reversed ? 1 - share : share);
+    return m_second->parameter_at(m_is_reversed ? 1 - share : share);
   }
 
   // of `parameter()`
@@ -99,11 +105,15 @@ private:
     return (m_is_reversed ? -1 : 1) * (std::isfinite(result) ? result : 1);
   }
 
-  bool is_proportional() const
+  // whether parameters are in proportion
+  bool is_linear() const
   {
-    for(const double t : {0.125, 0.375, 0.5, 0.75})
-      if(std::fabs(parameter(t) - (m_is_reversed ? 1 - t : t)) > 1e-10)
+    for(const double share : {0.125, 0.375, 0.5, 0.75}) {
+      const double s = parameter(m_first->begin + share * (m_first->end - m_first->begin)),
+                   expected = m_is_reversed ? 1 - share : share;
+      if(std::fabs(s - m_second->begin - expected * (m_second->end - m_second->begin)) > 1e-10)
         return false;
+    }
     return true;
   }
 };

@@ -108,18 +108,18 @@ private:
         continue;
       const Edge_use use{number, edge.Orientation() == TopAbs_REVERSED, domain_curve(edge, number)};
       if(!is_no_boundary(use))
-        result.push_back(in_place(use));
+        append_in_place(use, result);
     }
     return result;
   }
 
-  // A use of an edge becomes one of the edge in its place.
-  Edge_use in_place(const Edge_use& use) const
+  // A use of an edge becomes uses of those in its place.
+  void append_in_place(const Edge_use& use, Loop& result) const
   {
-    const Edge_place& place = m_places[use.edge];
-    if(!place.match)
-      return use;
-    return {place.edge, use.is_reversed != place.match->is_reversed(), place.match->reparametrized(use.curve)};
+    if(m_places[use.edge].pieces.empty())
+      result.push_back(use);
+    for(const auto& piece : m_places[use.edge].pieces)
+      result.push_back({piece.edge, use.is_reversed != piece.match.is_reversed(), piece.match.reparametrized(use.curve)});
   }
 
   // A pole of a sphere is none in its chart. Elsewhere, an edge that claims to be collapsed and is not: Open CASCADE's readers

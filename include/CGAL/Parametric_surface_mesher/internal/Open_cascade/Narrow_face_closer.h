@@ -4,15 +4,12 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_NARROW_FACE_CLOSER_H
 
 #include <CGAL/Open_cascade_model_3.h>
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Edge_match.h>
+#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Edge_merging.h>
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Kernel_guard.h>
 
 #include <BRepGProp.hxx>
-#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -21,8 +18,8 @@
 #include <cstddef>
 #include <exception>
 #include <map>
-#include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -33,29 +30,24 @@ namespace internal {
 // What takes the place of an edge of the shape in the model.
 struct Edge_place
 {
-  std::size_t edge;  // of the model
-  bool is_point;     // whether it is a vertex instead
-  std::optional<Edge_match<Parametric_surface_model_3<Open_cascade_surface_3>::Geom_traits>> match; // unless it is the edge itself
+  bool is_point;               // whether it is a vertex
+  Edge_merging::Pieces pieces; // none if it is the edge itself
 };
 
-// Finds faces that are nowhere wider than a given width, and what becomes of their edges: of the two long ones, one takes
-// the place of both, and short ones become a vertex. What cannot be closed up without harm to its neighbours stays.
+// Finds faces that are nowhere wider than a given width, and what becomes of their edges: those on one side take the place
+// of the one on the other side, and short ones become a vertex. What cannot be closed up without harm to its neighbours stays.
 class Narrow_face_closer
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
-  typedef Model::Geom_traits Kernel;
   typedef Model::Point_3 Point_3;
-  typedef Edge_match<Kernel> Match;
+  typedef std::vector<std::size_t> Wire; // edges on the boundary of a face; of a seam twice
 
   static const int number_of_samples = 16;
 
-  typedef std::vector<std::size_t> Wire; // edges on the boundary of a face; of a seam twice
-
-  // For each vertex and edge, the one that takes its place.
-  struct State
+  struct Side_by_side
   {
-    std::vector<std::size_t> vertices, edges;
-    std::vector<std::optional<Match>> matches; // with the edges in their places, of those that are not these themselves
+    std::size_t edge;
+    Edge_chain chain; // along it
   };
 
   const Model& m_model;
@@ -63,57 +55,48 @@ class Narrow_face_closer
   double m_width;
   std::vector<bool> m_is_short; // edges, no longer than the width and not a point
   std::vector<std::vector<Wire>> m_wires; // of the faces
-  std::vector<bool> m_is_closed_up; // faces
-  State m_state;
-  std::vector<Open_cascade_model_3::Closed_up_face> m_closed_up;
+  std::vector<bool> m_is_kept; // faces, although they may be narrow
+  Edge_merging m_merging;
+  std::map<std::size_t, double> m_closed_up; // the widths of faces
+  std::set<std::size_t> m_refused; // narrow faces whose neighbours would be harmed
 
 public:
   // \pre the model has the vertices and the edges of the shape
   Narrow_face_closer(const Model& model, const TopTools_IndexedMapOfShape& edges, const TopTools_IndexedMapOfShape& faces,
                      double width)
-    : m_model(model), m_faces(faces), m_width(width), m_is_closed_up(std::size_t(faces.Extent()), false)
+    : m_model(model), m_faces(faces), m_width(width), m_is_kept(std::size_t(faces.Extent()), false), m_merging(model, width)
   {
-    m_state.vertices.resize(model.vertices().size());
-    m_state.edges.resize(model.edges().size());
-    m_state.matches.resize(model.edges().size());
-    std::iota(m_state.vertices.begin(), m_state.vertices.end(), std::size_t(0));
-    std::iota(m_state.edges.begin(), m_state.edges.end(), std::size_t(0));
     for(std::size_t e = 0; e < model.edges().size(); ++e)
-      m_is_short.push_back(is_short(e));
+      m_is_short.push_back(succeeds([&] { return is_short(e); }));
     for(int f = 1; f <= faces.Extent(); ++f)
       m_wires.push_back(wires_of(faces(f), edges));
-    for(const std::size_t number_of_long_edges : {0, 2}) // small faces at the ends of narrow ones first
-      for(std::size_t f = 0; f < m_wires.size(); ++f)
-        if(long_edges(f).size() == number_of_long_edges)
-          close_up(f);
-    std::sort(m_closed_up.begin(), m_closed_up.end(), [](const auto& a, const auto& b) { return a.shape_face < b.shape_face; });
+    for(close_up_all(); !m_refused.empty(); close_up_all())
+      keep_refused();
   }
 
-  const std::vector<Open_cascade_model_3::Closed_up_face>& closed_up() const { return m_closed_up; }
-  std::size_t vertex_place(std::size_t v) const { return m_state.vertices[v]; }
-
-  std::vector<Edge_place> edge_places() const
+  std::vector<Open_cascade_model_3::Closed_up_face> closed_up() const
   {
-    std::vector<Edge_place> result;
-    for(std::size_t e = 0; e < m_state.edges.size(); ++e)
-      result.push_back({m_state.edges[e], is_point(m_state, e), m_state.matches[e]});
+    std::vector<Open_cascade_model_3::Closed_up_face> result;
+    for(const auto& face : m_closed_up)
+      result.push_back({face.first, face.second});
     return result;
   }
 
-private:
-  static bool is_on_boundary(const TopoDS_Shape& edge)
-  {
-    return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
-  }
+  bool is_closed_up(std::size_t face) const { return m_closed_up.count(face) != 0; }
 
+  // what takes the place of a vertex or an edge
+  std::size_t vertex_place(std::size_t v) const { return m_merging.vertex(v); }
+  Edge_place edge_place(std::size_t e) const { return {is_point(m_merging, e), m_merging.pieces(e)}; }
+
+private:
   static std::vector<Wire> wires_of(const TopoDS_Shape& face, const TopTools_IndexedMapOfShape& edges)
   {
     std::vector<Wire> result;
-    for(TopoDS_Iterator wire(face.Oriented(TopAbs_FORWARD)); wire.More(); wire.Next())
+    for(TopoDS_Iterator wire(face); wire.More(); wire.Next())
       if(wire.Value().ShapeType() == TopAbs_WIRE) {
         result.emplace_back();
         for(TopoDS_Iterator edge(wire.Value()); edge.More(); edge.Next())
-          if(is_on_boundary(edge.Value()))
+          if(edge.Value().Orientation() == TopAbs_FORWARD || edge.Value().Orientation() == TopAbs_REVERSED)
             result.back().push_back(std::size_t(edges.FindIndex(edge.Value())) - 1);
       }
     return result;
@@ -133,159 +116,238 @@ private:
     return true;
   }
 
-  bool is_point(const State& state, std::size_t e) const
+  bool is_point(const Edge_merging& merging, std::size_t e) const
   {
-    return m_is_short[e] && state.vertices[m_model.edges()[e].source] == state.vertices[m_model.edges()[e].target];
+    return m_is_short[e] && merging.source({e, false}) == merging.target({e, false});
   }
 
-  // the edges of a face but for those that are short, or a pole
-  std::vector<std::size_t> long_edges(std::size_t f) const
+  // the edges of a face that are short, or those that are not; poles are neither
+  std::vector<std::size_t> edges_of(std::size_t f, bool are_short) const
   {
     std::vector<std::size_t> result;
     for(const Wire& wire : m_wires[f])
       for(const std::size_t e : wire)
-        if(!m_is_short[e] && !m_model.edges()[e].is_collapsed)
+        if(m_is_short[e] == are_short && !m_model.edges()[e].is_collapsed)
           result.push_back(e);
     return result;
   }
 
-  void close_up(std::size_t f)
+  void close_up_all()
   {
-    State state = m_state;
-    double width = 0;
-    try {
-      m_is_closed_up[f] = merge_short_edges(state, f, width) && merge_long_edges(state, f, width) && is_area_small(f);
-      m_is_closed_up[f] = m_is_closed_up[f] && are_neighbors_well(state);
-    }
-    catch(const std::exception&) { // a curve that cannot be evaluated
-      m_is_closed_up[f] = false;
-    }
-    if(!m_is_closed_up[f])
-      return;
-    m_state = std::move(state);
-    m_closed_up.push_back({f, width});
+    m_merging = Edge_merging(m_model, m_width);
+    m_closed_up.clear();
+    m_refused.clear();
+    for(const bool is_long : {false, true}) // small faces at the ends of narrow ones first
+      for(std::size_t f = 0; f < m_wires.size(); ++f)
+        if(!m_is_kept[f] && succeeds([&] { return may_be_narrow(f, is_long); }))
+          close_up(f);
   }
 
-  bool merge_short_edges(State& state, std::size_t f, double& width) const
+  // a quick test
+  bool may_be_narrow(std::size_t f, bool is_long) const
+  {
+    return edges_of(f, false).empty() != is_long && (!edges_of(f, true).empty() || !pairs_of(f).empty());
+  }
+
+  // With them stay all narrow faces around: half of a needle closed up is worse than all of it meshed.
+  void keep_refused()
+  {
+    std::set<std::size_t> edges;
+    for(bool is_any_new = true; is_any_new;) {
+      is_any_new = false;
+      for(std::size_t f = 0; f < m_wires.size(); ++f)
+        if(!m_is_kept[f] && (m_refused.count(f) != 0 || (is_closed_up(f) && has_any(f, edges)))) {
+          m_is_kept[f] = is_any_new = true;
+          for(const Wire& wire : m_wires[f])
+            edges.insert(wire.begin(), wire.end());
+        }
+    }
+  }
+
+  bool has_any(std::size_t f, const std::set<std::size_t>& edges) const
   {
     for(const Wire& wire : m_wires[f])
-      for(const std::size_t e : wire) {
-        const auto& edge = m_model.edges()[e];
-        if(m_is_short[e] && !merge_vertices(state, edge.source, edge.target))
-          return false;
-        if(m_is_short[e])
-          width = (std::max)(width, distance(edge.source, edge.target));
-      }
-    return !m_wires[f].empty();
+      for(const std::size_t e : wire)
+        if(edges.count(e) != 0)
+          return true;
+    return false;
   }
 
-  double distance(std::size_t v, std::size_t w) const
+  // What `test` returns; false if a curve or surface cannot be evaluated: what is wrong is told where the face is built.
+  template <class Test>
+  static bool succeeds(const Test& test)
   {
-    return std::sqrt(squared_distance(m_model.vertices()[v], m_model.vertices()[w]));
-  }
-
-  // All vertices in one place are as close to it as the width, so that widths do not add up.
-  bool merge_vertices(State& state, std::size_t v, std::size_t w) const
-  {
-    const std::size_t kept = (std::min)(state.vertices[v], state.vertices[w]), other = (std::max)(state.vertices[v], state.vertices[w]);
-    for(std::size_t i = 0; i < state.vertices.size() && kept != other; ++i)
-      if(state.vertices[i] == other) {
-        if(!(distance(i, kept) <= m_width))
-          return false;
-        state.vertices[i] = kept;
-      }
-    return true;
-  }
-
-  bool merge_long_edges(State& state, std::size_t f, double& width) const
-  {
-    const std::vector<std::size_t> edges = long_edges(f);
-    if(edges.empty())
-      return true;
-    const std::size_t a = edges[0], b = edges[1];
-    const std::optional<Match> match = a != b ? match_of(a, b) : std::nullopt;
-    if(!match || !merge_ends(state, a, b, match->is_reversed()))
-      return false;
-    width = (std::max)(width, match->distance());
-    const std::size_t kept = (std::min)(state.edges[a], state.edges[b]), other = (std::max)(state.edges[a], state.edges[b]);
-    for(std::size_t e = 0; e < state.edges.size() && kept != other; ++e)
-      if(state.edges[e] == other) {
-        state.edges[e] = kept;
-        state.matches[e] = match_of(kept, e);
-        if(!state.matches[e])
-          return false;
-      }
-    return true;
-  }
-
-  // how the second edge runs along the first one, if it does
-  std::optional<Match> match_of(std::size_t first, std::size_t second) const
-  {
-    const auto &a = m_model.edges()[first].curve, &b = m_model.edges()[second].curve;
-    for(const bool is_reversed : {false, true}) {
-      const auto ends_are_close = [&](double t) { return are_close(a->point(t), b->point(is_reversed ? 1 - t : t)); };
-      if(!a || !b || !ends_are_close(0) || !ends_are_close(1))
-        continue;
-      const Match match(a, b, is_reversed);
-      if(match.distance() <= m_width)
-        return match;
+    try {
+      return guarded(test);
     }
-    return std::nullopt;
+    catch(const std::exception&) {
+      return false;
+    }
   }
 
-  bool merge_ends(State& state, std::size_t a, std::size_t b, bool is_reversed) const
+  void close_up(std::size_t f)
   {
-    const auto &first = m_model.edges()[a], &second = m_model.edges()[b];
-    return merge_vertices(state, first.source, is_reversed ? second.target : second.source)
-           && merge_vertices(state, first.target, is_reversed ? second.source : second.target);
+    Edge_merging merging = m_merging;
+    double width = 0;
+    if(!succeeds([&] { return merge_short_edges(f, merging, width) && merge_long_edges(f, merging, width) && is_area_small(f); }))
+      return;
+    m_closed_up[f] = width;
+    if(are_neighbors_well(merging))
+      m_merging = std::move(merging);
+    else {
+      m_closed_up.erase(f);
+      m_refused.insert(f);
+    }
+  }
+
+  bool merge_short_edges(std::size_t f, Edge_merging& merging, double& width) const
+  {
+    for(const std::size_t e : edges_of(f, true)) {
+      const auto& edge = m_model.edges()[e];
+      if(!merging.merge_vertices(edge.source, edge.target))
+        return false;
+      width = (std::max)(width, std::sqrt(squared_distance(m_model.vertices()[edge.source], m_model.vertices()[edge.target])));
+    }
+    return true;
+  }
+
+  // Of both sides: edges in pairs, or one that several others run along.
+  bool merge_long_edges(std::size_t f, Edge_merging& merging, double& width) const
+  {
+    std::vector<Side_by_side> all = pairs_of(f);
+    if(all.empty() && !edges_of(f, false).empty())
+      all = longest_and_others(f, merging);
+    for(const Side_by_side& sides : all) {
+      const auto across = merging.pieces(sides.edge, sides.chain);
+      if(!across || !merging.merge({{sides.edge, false}}, sides.chain))
+        return false;
+      for(const auto& piece : *across)
+        width = (std::max)(width, piece.match.distance());
+    }
+    return !all.empty() || edges_of(f, false).empty();
+  }
+
+  // The long edges of a face in pairs side by side, if all have a partner.
+  std::vector<Side_by_side> pairs_of(std::size_t f) const
+  {
+    std::vector<Side_by_side> result;
+    std::vector<std::size_t> edges = edges_of(f, false);
+    while(!edges.empty()) {
+      const std::size_t e = edges.front();
+      Edge_chain partner;
+      for(std::size_t i = 1; i < edges.size() && partner.empty(); ++i)
+        for(const bool is_reversed : {false, true})
+          if(partner.empty() && edges[i] != e && m_merging.pieces(e, {{edges[i], is_reversed}})) {
+            partner = {{edges[i], is_reversed}};
+            edges.erase(edges.begin() + i);
+          }
+      if(partner.empty())
+        return {};
+      edges.erase(edges.begin());
+      result.push_back({e, partner});
+    }
+    return result;
+  }
+
+  std::vector<Side_by_side> longest_and_others(std::size_t f, const Edge_merging& merging) const
+  {
+    std::vector<std::size_t> edges = edges_of(f, false);
+    const std::size_t longest = take_longest(edges);
+    const Edge_chain chain = chain_of(merging, longest, edges);
+    for(const Edge_chain& i : {chain, Edge_merging::reversed(chain)})
+      if(!i.empty() && merging.pieces(longest, i))
+        return {{longest, i}};
+    return {};
+  }
+
+  double length(std::size_t e) const
+  {
+    const auto& curve = m_model.edges()[e].curve;
+    double result = 0;
+    for(int i = 0; i < number_of_samples && curve; ++i)
+      result += std::sqrt(squared_distance(curve->point(double(i) / number_of_samples),
+                                           curve->point(double(i + 1) / number_of_samples)));
+    return result;
+  }
+
+  std::size_t take_longest(std::vector<std::size_t>& edges) const
+  {
+    const auto is_shorter = [this](std::size_t a, std::size_t b) { return length(a) < length(b); };
+    const auto place = std::max_element(edges.begin(), edges.end(), is_shorter);
+    const std::size_t result = *place;
+    edges.erase(place);
+    return result;
+  }
+
+  // The other edges of a face, from the source of the longest one to its target (or back, if it is closed).
+  static Edge_chain chain_of(const Edge_merging& merging, std::size_t longest, std::vector<std::size_t> others)
+  {
+    if(std::find(others.begin(), others.end(), longest) != others.end())
+      return {};
+    Edge_chain chain;
+    std::size_t end = merging.source({longest, false});
+    while(!others.empty()) {
+      const auto next = std::find_if(others.begin(), others.end(), [&](std::size_t e) {
+        return merging.source({e, false}) == end || merging.target({e, false}) == end;
+      });
+      if(next == others.end())
+        return {};
+      chain.push_back({*next, merging.source({*next, false}) != end});
+      end = merging.target(chain.back());
+      others.erase(next);
+    }
+    return chain;
   }
 
   // Two edges side by side bound a narrow face, or all of a closed surface but that.
   bool is_area_small(std::size_t f) const
   {
-    return guarded([&] {
-      GProp_GProps area, perimeter;
-      BRepGProp::SurfaceProperties(m_faces(int(f) + 1), area);
-      BRepGProp::LinearProperties(m_faces(int(f) + 1), perimeter);
-      return std::fabs(area.Mass()) <= m_width * perimeter.Mass();
-    });
+    GProp_GProps area, perimeter;
+    BRepGProp::SurfaceProperties(m_faces(int(f) + 1), area);
+    BRepGProp::LinearProperties(m_faces(int(f) + 1), perimeter);
+    return std::fabs(area.Mass()) <= m_width * perimeter.Mass();
   }
 
   // Whether the boundaries of all faces that are left stay such.
-  bool are_neighbors_well(const State& state) const
+  bool are_neighbors_well(const Edge_merging& merging) const
   {
     for(std::size_t f = 0; f < m_wires.size(); ++f)
-      if(!m_is_closed_up[f])
+      if(!is_closed_up(f))
         for(const Wire& wire : m_wires[f])
-          if(!is_well(state, wire))
+          if(!is_well(merging, wire))
             return false;
     return true;
   }
 
-  bool is_well(const State& state, const Wire& wire) const
+  bool is_well(const Edge_merging& merging, const Wire& wire) const
   {
-    const auto is_point = [&](std::size_t e) { return this->is_point(state, e); };
-    if(!wire.empty() && std::all_of(wire.begin(), wire.end(), is_point))
+    const auto is_point = [&](std::size_t e) { return this->is_point(merging, e); };
+    const auto is_changed = [&](std::size_t e) { return is_point(e) || merging.is_replaced(e); };
+    if(std::none_of(wire.begin(), wire.end(), is_changed))
+      return true;
+    if(std::all_of(wire.begin(), wire.end(), is_point))
       return false;
-    std::map<std::size_t, std::size_t> edges; // those in the place of others, with one of these
-    for(const std::size_t e : wire) {
-      const auto found = edges.emplace(state.edges[e], e).first;
-      if(found->second != e && is_spike(state, wire, e))
+    std::map<std::size_t, std::set<std::size_t>> edges; // in the place of others, with these
+    for(const std::size_t e : wire)
+      for(const Directed_edge& part : merging.chain(e))
+        if(!is_point(e))
+          edges[part.edge].insert(e);
+    for(const auto& edge : edges)
+      if(edge.second.size() > 1 && is_spike(merging, edge.first, edges))
         return false;
-    }
     return true;
   }
 
   // Whether a wire with an edge there and back has nothing else at one of its ends.
-  bool is_spike(const State& state, const Wire& wire, std::size_t e) const
+  template <class Edges>
+  bool is_spike(const Edge_merging& merging, std::size_t e, const Edges& edges) const
   {
-    for(const std::size_t end : {m_model.edges()[e].source, m_model.edges()[e].target}) {
-      const auto is_other_at_end = [&](std::size_t i) {
-        const auto& edge = m_model.edges()[i];
-        return state.edges[i] != state.edges[e] && !is_point(state, i)
-               && (state.vertices[edge.source] == state.vertices[end] || state.vertices[edge.target] == state.vertices[end]);
+    for(const std::size_t end : {merging.source({e, false}), merging.target({e, false})}) {
+      const auto is_other_at_end = [&](const auto& other) {
+        return other.first != e
+               && (merging.source({other.first, false}) == end || merging.target({other.first, false}) == end);
       };
-      if(std::none_of(wire.begin(), wire.end(), is_other_at_end))
+      if(std::none_of(edges.begin(), edges.end(), is_other_at_end))
         return true;
     }
     return false;

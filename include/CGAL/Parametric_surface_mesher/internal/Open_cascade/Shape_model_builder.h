@@ -131,16 +131,15 @@ private:
   void close_narrow_faces(double width)
   {
     const Narrow_face_closer closer(model(), m_edges, m_faces, width);
-    m_places = closer.edge_places();
-    for(const Edge_place& place : m_places)
-      m_result.model_edges.push_back(place.edge);
     m_result.closed_up = closer.closed_up();
     for(const auto& face : m_result.closed_up)
       m_closed_up.insert(face.shape_face);
     for(std::size_t v = 0; v < m_vertex_tolerances.size(); ++v)
       move_vertex(v, closer.vertex_place(v));
-    for(std::size_t e = 0; e < m_places.size(); ++e)
+    for(std::size_t e = 0; e < m_result.number_of_shape_edges; ++e) {
+      m_places.push_back(closer.edge_place(e));
       move_edge(e, closer);
+    }
   }
 
   void move_vertex(std::size_t v, std::size_t place)
@@ -155,10 +154,14 @@ private:
     Model::Edge& edge = model().edges()[e];
     edge.source = closer.vertex_place(edge.source);
     edge.target = closer.vertex_place(edge.target);
-    if(m_places[e].match) {
-      double& tolerance = model().edges()[m_places[e].edge].tolerance;
-      tolerance = (std::max)(tolerance, edge.tolerance + m_places[e].match->distance());
+    m_result.model_edges.emplace_back();
+    for(const auto& piece : m_places[e].pieces) {
+      double& tolerance = model().edges()[piece.edge].tolerance;
+      tolerance = (std::max)(tolerance, edge.tolerance + piece.match.distance());
+      m_result.model_edges.back().push_back(piece.edge);
     }
+    if(m_places[e].pieces.empty() && !m_places[e].is_point)
+      m_result.model_edges.back().push_back(e);
   }
 
   void list_inner_edges()
