@@ -26,14 +26,16 @@ by projection.
 the boundary runs through a pole.
 - A face that is nowhere wider than a millionth of the diagonal is closed up, so that its neighbours meet without a gap: of
 two edges side by side one takes the place of both, or several that of one along them, and shorter edges become a vertex.
-The face is listed in `Open_cascade_model_3::closed_up`, and not in the model. It stays and is meshed, like those beside it, if
-several edges on one side end at other places than several on the other one, if a neighbour would be left with an edge there
-and back, or if it is wider than this together with others that are closed up.
+The face is listed in `Open_cascade_model_3::closed_up`, and not in the model. It stays and is meshed, like those beside
+it, if several edges on one side end at other places than several on the other one, if a neighbour would be left with an
+edge there and back, or if it is wider than this together with others that are closed up.
+- Other edges as short become a vertex, too, as far as at least three longer ones are left in the loops that they are in.
 - A face that cannot be built, or where the kernel throws an exception, is left out and listed with its reason. It does
 not matter for the others.
 
 \param shape a shape with faces
-\param closed_up_width the largest width of faces that are closed up, over the diagonal; 0 for none
+\param closed_up_width the largest width of faces that are closed up, and length of edges that become a vertex, over the
+diagonal; 0 for none
 
 \throws Parametric_surface_mesh_error if the shape has no extent
 */

@@ -205,6 +205,7 @@ TEST_F(Mesh_cad_program, closes_up_narrow_faces)
   EXPECT_TRUE(numbers["left_out"].empty());
   EXPECT_TRUE(numbers["closed"]);
   EXPECT_EQ(numbers["below_10"], 0);
+  EXPECT_EQ(numbers["collapsed_edges"].size(), 2u);
   ASSERT_EQ(numbers["closed_up"].size(), 1u);
   EXPECT_NEAR(numbers["closed_up"][0]["width"], 1e-6, 1e-7);
   const std::string face = std::to_string(numbers["closed_up"][0]["face"].get<int>());

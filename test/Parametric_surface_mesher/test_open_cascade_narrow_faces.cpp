@@ -25,6 +25,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax1.hxx>
@@ -195,8 +196,9 @@ void test_strip_between_bows(bool is_reversed, double weight)
                       f = vertex(0, 5 + width), g = vertex(10, 9), h = vertex(0, 9);
   const TopoDS_Edge low = bow(d, c, 1), high = is_reversed ? bow(e, f, 1, weight) : bow(f, e, 1, weight), left = line(d, f),
                     right = line(c, e);
-  const TopoDS_Shape shape = shell_of({plane_face({line(a, b), line(b, c), low, line(d, a)}), plane_face({low, right, high, left}),
-                                       plane_face({high, line(e, g), line(g, h), line(h, f)})});
+  const TopoDS_Shape shape
+    = shell_of({plane_face({line(a, b), line(b, c), low, line(d, a)}), plane_face({low, right, high, left}),
+                plane_face({high, line(e, g), line(g, h), line(h, f)})});
   const Meshed_shape meshed(shape);
   ASSERT_EQ(meshed.shape.closed_up.size(), 1u);
   EXPECT_EQ(meshed.shape.closed_up[0].shape_face, 1u);
@@ -256,7 +258,8 @@ TEST(Narrow_faces, a_bar_beside_others)
                     low_right = line(c, e), high_left = line(f, h), high_right = line(e, g), wall = line(m, n);
   const TopoDS_Shape shape
     = shell_of({plane_face({line(a, b), line(b, c), first, line(d, a)}), plane_face({first, low_right, second, low_left}),
-                plane_face({second, high_right, fourth, third, high_left}), plane_face({third, wall, line(n, p), line(p, h)}),
+                plane_face({second, high_right, fourth, third, high_left}),
+                plane_face({third, wall, line(n, p), line(p, h)}),
                 plane_face({fourth, line(g, o), line(o, n), wall})});
   const Meshed_shape meshed(shape);
   EXPECT_EQ(meshed.shape.closed_up.size(), 2u);
@@ -300,8 +303,9 @@ TEST(Narrow_faces, a_strip_that_ends_in_a_point)
   const TopoDS_Vertex a = vertex(0, 0), b = vertex(10, 0), c = vertex(10, 5), d = vertex(0, 5), e = vertex(10, 5 + 1e-5),
                       g = vertex(10, 9), h = vertex(0, 9);
   const TopoDS_Edge low = line(d, c), high = line(d, e);
-  const TopoDS_Shape shape = shell_of({plane_face({line(a, b), line(b, c), low, line(d, a)}), plane_face({low, line(c, e), high}),
-                                       plane_face({high, line(e, g), line(g, h), line(h, d)})});
+  const TopoDS_Shape shape
+    = shell_of({plane_face({line(a, b), line(b, c), low, line(d, a)}), plane_face({low, line(c, e), high}),
+                plane_face({high, line(e, g), line(g, h), line(h, d)})});
   const Meshed_shape meshed(shape);
   EXPECT_EQ(meshed.shape.closed_up.size(), 1u);
   expect_sound(shape, meshed, 25);
@@ -310,7 +314,8 @@ TEST(Narrow_faces, a_strip_that_ends_in_a_point)
 
 TEST(Narrow_faces, what_is_wider_between_its_ends_is_meshed)
 {
-  const TopoDS_Vertex a = vertex(0, 0), b = vertex(10, 0), c = vertex(10, 5), d = vertex(0, 5), g = vertex(10, 9), h = vertex(0, 9);
+  const TopoDS_Vertex a = vertex(0, 0), b = vertex(10, 0), c = vertex(10, 5), d = vertex(0, 5), g = vertex(10, 9),
+                      h = vertex(0, 9);
   const TopoDS_Edge low = line(d, c), high = bow(d, c, 0.01);
   const TopoDS_Shape shape = shell_of({plane_face({line(a, b), line(b, c), low, line(d, a)}), plane_face({low, high}),
                                        plane_face({high, line(c, g), line(g, h), line(h, d)})});
@@ -325,7 +330,8 @@ TEST(Narrow_faces, a_strip_at_a_border)
                       f = vertex(0, 5 + 1e-5);
   const TopoDS_Edge low = line(d, c);
   const TopoDS_Shape shape
-    = shell_of({plane_face({line(a, b), line(b, c), low, line(d, a)}), plane_face({low, line(c, e), line(e, f), line(f, d)})});
+    = shell_of({plane_face({line(a, b), line(b, c), low, line(d, a)}),
+                plane_face({low, line(c, e), line(e, f), line(f, d)})});
   const Meshed_shape meshed(shape);
   EXPECT_EQ(meshed.shape.closed_up.size(), 1u);
   expect_sound(shape, meshed, 25);
@@ -380,7 +386,8 @@ TopoDS_Shape sewn(const Handle(Geom_Surface)& surface, const std::vector<std::ar
 TEST(Narrow_faces, a_lune_that_closes_a_sphere)
 {
   const double end = 2 * pi - 2e-6;
-  const TopoDS_Shape shape = sewn(new Geom_SphericalSurface(gp_Ax3(), 10), {{0, end, -pi / 2, pi / 2}, {end, 2 * pi, -pi / 2, pi / 2}});
+  const TopoDS_Shape shape
+    = sewn(new Geom_SphericalSurface(gp_Ax3(), 10), {{0, end, -pi / 2, pi / 2}, {end, 2 * pi, -pi / 2, pi / 2}});
   const Meshed_shape meshed(shape);
   EXPECT_EQ(meshed.shape.closed_up.size(), 1u);
   expect_sound(shape, meshed, 25);
@@ -399,10 +406,39 @@ TEST(Narrow_faces, a_strip_that_closes_a_cylinder)
 TEST(Narrow_faces, a_ring_that_closes_a_torus)
 {
   const double end = 2 * pi - 4e-6;
-  const TopoDS_Shape shape = sewn(new Geom_ToroidalSurface(gp_Ax3(), 10, 3), {{0, 2 * pi, 0, end}, {0, 2 * pi, end, 2 * pi}});
+  const TopoDS_Shape shape
+    = sewn(new Geom_ToroidalSurface(gp_Ax3(), 10, 3), {{0, 2 * pi, 0, end}, {0, 2 * pi, end, 2 * pi}});
   const Meshed_shape meshed(shape);
   EXPECT_EQ(meshed.shape.closed_up.size(), 1u);
   expect_sound(shape, meshed, 25);
+}
+
+TEST(Short_edges, become_vertices)
+{
+  const TopoDS_Vertex a = vertex(0, 0), b = vertex(10, 0), c = vertex(10, 5), d = vertex(0, 5), e = vertex(4, 5),
+                      f = vertex(4 + 3e-6, 5), g = vertex(10, 9), h = vertex(0, 9);
+  const TopoDS_Edge first = line(d, e), small = line(e, f), last = line(f, c);
+  const TopoDS_Shape shape = shell_of({plane_face({line(a, b), line(b, c), last, small, first, line(d, a)}),
+                                       plane_face({first, small, last, line(c, g), line(g, h), line(h, d)})});
+  const Meshed_shape meshed(shape);
+  EXPECT_TRUE(meshed.shape.closed_up.empty());
+  const auto& edges = meshed.shape.model_edges;
+  EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const auto& e) { return e.empty(); }), 1);
+  expect_sound(shape, meshed, 25);
+  EXPECT_NEAR(meshed.quality.area, 90, 1e-9);
+  EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u);
+}
+
+TEST(Short_edges, of_small_holes_stay)
+{
+  const TopoDS_Face hole = polygon({{1, 1, 0}, {1 + 5e-6, 1, 0}, {1, 1 + 5e-6, 0}});
+  BRepBuilderAPI_MakeFace around(polygon({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}));
+  around.Add(TopoDS::Wire(TopoDS_Iterator(hole).Value().Reversed()));
+  const Meshed_shape meshed(around.Face());
+  for(const auto& edges : meshed.shape.model_edges)
+    EXPECT_EQ(edges.size(), 1u);
+  expect_sound(around.Face(), meshed, 0);
+  EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 2u);
 }
 
 TEST(Narrow_faces, the_judge_accepts_nothing_else_without_triangles)

@@ -56,6 +56,7 @@ const char* const conclusion =
   "The numbers of --json are, among others:\n"
   "  faces, meshed_faces            faces of the shape, and those in the mesh\n"
   "  left_out, closed_up            the others: those that could not be meshed, and the narrow ones\n"
+  "  collapsed_edges                edges as short, which are a vertex\n"
   "  triangles, vertices, min_angle, mean_min_angle, mean_radius_ratio\n"
   "  min_angle_apart_from_corners   the smallest angle but for those in corners of faces below 30\n"
   "                                 degrees, where the corner is not divided\n"

@@ -48,7 +48,7 @@ struct Judged_mesh
 
 struct Cad_mesh_verdict
 {
-  std::vector<std::size_t> uncovered_faces; // from 1: without triangles, and not closed up rightly; or with points far from them
+  std::vector<std::size_t> uncovered_faces; // from 1: without triangles and not closed up rightly, or with points far away
   std::size_t border_edges = 0, nonmanifold_edges = 0, repeated_vertices = 0;
   std::size_t misoriented_triangles = 0; // against the side of the face, of those looked at
   double deviation = 0;   // from points of faces and edges to the triangles of the face, over the diagonal

@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <exception>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -35,7 +34,8 @@ struct Edge_place
 };
 
 // Finds faces that are nowhere wider than a given width, and what becomes of their edges: those on one side take the place
-// of the one on the other side, and short ones become a vertex. What cannot be closed up without harm to its neighbours stays.
+// of the one on the other side, and short ones become a vertex, as do short edges elsewhere. What cannot be closed up
+// without harm to its neighbours stays.
 class Narrow_face_closer
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
@@ -58,7 +58,7 @@ class Narrow_face_closer
   std::vector<bool> m_is_kept; // faces, although they may be narrow
   Edge_merging m_merging;
   std::map<std::size_t, double> m_closed_up; // the widths of faces
-  std::set<std::size_t> m_refused; // narrow faces whose neighbours would be harmed
+  std::set<std::size_t> m_refused; // faces that stay, and narrow ones beside them with them
 
 public:
   // \pre the model has the vertices and the edges of the shape
@@ -72,6 +72,9 @@ public:
       m_wires.push_back(wires_of(faces(f), edges));
     for(close_up_all(); !m_refused.empty(); close_up_all())
       keep_refused();
+    for(std::size_t e = 0; e < m_is_short.size(); ++e)
+      if(m_is_short[e] && !is_point(m_merging, e))
+        collapse(e);
   }
 
   std::vector<Open_cascade_model_3::Closed_up_face> closed_up() const
@@ -108,7 +111,8 @@ private:
   {
     const auto& edge = m_model.edges()[e];
     const Point_3 source = m_model.vertices()[edge.source];
-    if(edge.is_collapsed || !edge.curve || edge.source == edge.target || !are_close(source, m_model.vertices()[edge.target]))
+    if(!(m_width > 0) || edge.is_collapsed || !edge.curve || edge.source == edge.target
+       || !are_close(source, m_model.vertices()[edge.target]))
       return false;
     for(int i = 1; i < number_of_samples; ++i)
       if(!are_close(source, edge.curve->point(double(i) / number_of_samples)))
@@ -141,36 +145,56 @@ private:
       for(std::size_t f = 0; f < m_wires.size(); ++f)
         if(!m_is_kept[f] && succeeds([&] { return may_be_narrow(f, is_long); }))
           close_up(f);
+    for(std::size_t f = 0; f < m_wires.size(); ++f)
+      for(const Wire& wire : m_wires[f])
+        if(!is_closed_up(f) && is_flat(wire))
+          m_refused.insert(f);
+  }
+
+  // whether a wire without its short edges is two edges side by side
+  bool is_flat(const Wire& wire) const
+  {
+    std::vector<std::size_t> left;
+    for(const std::size_t e : wire)
+      if(!is_point(m_merging, e))
+        left.push_back(e);
+    return left.size() == 2 && wire.size() > 2 && !pairs_of(left).empty();
   }
 
   // a quick test
   bool may_be_narrow(std::size_t f, bool is_long) const
   {
-    return edges_of(f, false).empty() != is_long && (!edges_of(f, true).empty() || !pairs_of(f).empty());
+    return edges_of(f, false).empty() != is_long && (!edges_of(f, true).empty() || !pairs_of(edges_of(f, false)).empty());
   }
 
   // With them stay all narrow faces around: half of a needle closed up is worse than all of it meshed.
   void keep_refused()
   {
     std::set<std::size_t> edges;
+    const auto keep = [&](std::size_t f) {
+      m_is_kept[f] = true;
+      for(const Wire& wire : m_wires[f])
+        edges.insert(wire.begin(), wire.end());
+    };
+    const std::vector<bool> before = m_is_kept;
+    std::for_each(m_refused.begin(), m_refused.end(), keep);
     for(bool is_any_new = true; is_any_new;) {
       is_any_new = false;
       for(std::size_t f = 0; f < m_wires.size(); ++f)
-        if(!m_is_kept[f] && (m_refused.count(f) != 0 || (is_closed_up(f) && has_any(f, edges)))) {
-          m_is_kept[f] = is_any_new = true;
-          for(const Wire& wire : m_wires[f])
-            edges.insert(wire.begin(), wire.end());
+        if(!m_is_kept[f] && is_closed_up(f) && has_any(f, edges)) {
+          keep(f);
+          is_any_new = true;
         }
     }
+    if(m_is_kept == before) // Others are the cause, and it is not known which.
+      m_is_kept.assign(m_is_kept.size(), true);
   }
 
   bool has_any(std::size_t f, const std::set<std::size_t>& edges) const
   {
-    for(const Wire& wire : m_wires[f])
-      for(const std::size_t e : wire)
-        if(edges.count(e) != 0)
-          return true;
-    return false;
+    return std::any_of(m_wires[f].begin(), m_wires[f].end(), [&](const Wire& wire) {
+      return std::any_of(wire.begin(), wire.end(), [&](std::size_t e) { return edges.count(e) != 0; });
+    });
   }
 
   // What `test` returns; false if a curve or surface cannot be evaluated: what is wrong is told where the face is built.
@@ -189,7 +213,8 @@ private:
   {
     Edge_merging merging = m_merging;
     double width = 0;
-    if(!succeeds([&] { return merge_short_edges(f, merging, width) && merge_long_edges(f, merging, width) && is_area_small(f); }))
+    const auto merge = [&] { return merge_short_edges(f, merging, width) && merge_long_edges(f, merging, width); };
+    if(!succeeds(merge) || !succeeds([&] { return is_area_small(f); }))
       return;
     m_closed_up[f] = width;
     if(are_neighbors_well(merging))
@@ -200,13 +225,27 @@ private:
     }
   }
 
+  // A short edge that is not on a narrow face becomes a vertex, too, if enough is left of the wires that it is on.
+  void collapse(std::size_t e)
+  {
+    const auto is_long = [&](std::size_t other) { return !m_is_short[other]; };
+    for(std::size_t f = 0; f < m_wires.size(); ++f)
+      for(const Wire& wire : m_wires[f])
+        if(std::find(wire.begin(), wire.end(), e) != wire.end()
+           && (m_is_kept[f] || std::count_if(wire.begin(), wire.end(), is_long) < 3))
+          return;
+    Edge_merging merging = m_merging;
+    if(merging.merge_vertices(m_model.edges()[e].source, m_model.edges()[e].target) && are_neighbors_well(merging))
+      m_merging = std::move(merging);
+  }
+
   bool merge_short_edges(std::size_t f, Edge_merging& merging, double& width) const
   {
     for(const std::size_t e : edges_of(f, true)) {
-      const auto& edge = m_model.edges()[e];
-      if(!merging.merge_vertices(edge.source, edge.target))
+      const std::size_t v = m_model.edges()[e].source, w = m_model.edges()[e].target;
+      if(!merging.merge_vertices(v, w))
         return false;
-      width = (std::max)(width, std::sqrt(squared_distance(m_model.vertices()[edge.source], m_model.vertices()[edge.target])));
+      width = (std::max)(width, std::sqrt(squared_distance(m_model.vertices()[v], m_model.vertices()[w])));
     }
     return true;
   }
@@ -214,7 +253,7 @@ private:
   // Of both sides: edges in pairs, or one that several others run along.
   bool merge_long_edges(std::size_t f, Edge_merging& merging, double& width) const
   {
-    std::vector<Side_by_side> all = pairs_of(f);
+    std::vector<Side_by_side> all = pairs_of(edges_of(f, false));
     if(all.empty() && !edges_of(f, false).empty())
       all = longest_and_others(f, merging);
     for(const Side_by_side& sides : all) {
@@ -227,11 +266,10 @@ private:
     return !all.empty() || edges_of(f, false).empty();
   }
 
-  // The long edges of a face in pairs side by side, if all have a partner.
-  std::vector<Side_by_side> pairs_of(std::size_t f) const
+  // Edges in pairs side by side, if all have a partner.
+  std::vector<Side_by_side> pairs_of(std::vector<std::size_t> edges) const
   {
     std::vector<Side_by_side> result;
-    std::vector<std::size_t> edges = edges_of(f, false);
     while(!edges.empty()) {
       const std::size_t e = edges.front();
       Edge_chain partner;

@@ -216,7 +216,8 @@ private:
   {
     const std::size_t number = std::size_t(m_faces.FindIndex(face)) - 1;
     try {
-      Model::Face result = guarded([&] { return Face_builder(m_result, m_edges, m_places, m_vertex_tolerances, face, number)(); });
+      const auto build = [&] { return Face_builder(m_result, m_edges, m_places, m_vertex_tolerances, face, number)(); };
+      Model::Face result = guarded(build);
       result.is_reversed = face.Orientation() == TopAbs_REVERSED;
       result.shell = shell;
       model().add_face(std::move(result));
