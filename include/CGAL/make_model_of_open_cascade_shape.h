@@ -29,7 +29,7 @@ two edges side by side one takes the place of both, or several that of one along
 The face is listed in `Open_cascade_model_3::closed_up`, and not in the model. It stays and is meshed, like those beside
 it, if several edges on one side end at other places than several on the other one, if a neighbour would be left with an
 edge there and back, or if it is wider than this together with others that are closed up.
-- Other edges as short become a vertex, too, as far as at least three longer ones are left in the loops that they are in.
+- Other edges as short become a vertex, too, unless nothing, or two edges side by side, would be left of a loop.
 - A face that cannot be built, or where the kernel throws an exception, is left out and listed with its reason. It does
 not matter for the others.
 

@@ -29,6 +29,8 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax1.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
 #include <gtest/gtest.h>
@@ -427,6 +429,21 @@ TEST(Short_edges, become_vertices)
   expect_sound(shape, meshed, 25);
   EXPECT_NEAR(meshed.quality.area, 90, 1e-9);
   EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u);
+}
+
+TEST(Short_edges, that_close_a_circle)
+{
+  const double begin = 1e-6;
+  const gp_Circ circle(gp_Ax2(gp_Pnt(5, 5, 0), gp_Dir(0, 0, 1)), 2);
+  const TopoDS_Edge arc = BRepBuilderAPI_MakeEdge(circle, begin, 2 * pi).Edge();
+  const TopoDS_Edge small = line(TopExp::LastVertex(arc), TopExp::FirstVertex(arc));
+  BRepBuilderAPI_MakeFace around(polygon({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}));
+  around.Add(TopoDS::Wire(BRepBuilderAPI_MakeWire(arc, small).Wire().Reversed()));
+  const Meshed_shape meshed(around.Face());
+  const auto& edges = meshed.shape.model_edges;
+  EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const auto& e) { return e.empty(); }), 1);
+  expect_sound(around.Face(), meshed, 25);
+  EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 2u);
 }
 
 TEST(Short_edges, of_small_holes_stay)

@@ -189,6 +189,13 @@ private:
   }
 };
 
+// What takes the place of an edge of the shape in the model.
+struct Edge_place
+{
+  bool is_point;               // whether it is a vertex
+  Edge_merging::Pieces pieces; // none if it is the edge itself
+};
+
 } // namespace internal
 } // namespace Parametric_surface_mesher
 } // namespace CGAL

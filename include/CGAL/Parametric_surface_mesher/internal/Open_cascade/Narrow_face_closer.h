@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -25,13 +26,6 @@
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
-
-// What takes the place of an edge of the shape in the model.
-struct Edge_place
-{
-  bool is_point;               // whether it is a vertex
-  Edge_merging::Pieces pieces; // none if it is the edge itself
-};
 
 // Finds faces that are nowhere wider than a given width, and what becomes of their edges: those on one side take the place
 // of the one on the other side, and short ones become a vertex, as do short edges elsewhere. What cannot be closed up
@@ -151,15 +145,15 @@ private:
           m_refused.insert(f);
   }
 
-  // whether a wire without its short edges is two edges side by side
+  // whether a wire without its points is two edges side by side
   bool is_flat(const Wire& wire) const
   {
-    std::vector<std::size_t> left;
-    for(const std::size_t e : wire)
-      if(!is_point(m_merging, e))
-        left.push_back(e);
-    return left.size() == 2 && wire.size() > 2 && !pairs_of(left).empty();
+    Wire left;
+    std::copy_if(wire.begin(), wire.end(), std::back_inserter(left), [&](std::size_t e) { return !is_point(m_merging, e); });
+    return left.size() < wire.size() && is_pair(left);
   }
+
+  bool is_pair(const Wire& wire) const { return wire.size() == 2 && succeeds([&] { return !pairs_of(wire).empty(); }); }
 
   // a quick test
   bool may_be_narrow(std::size_t f, bool is_long) const
@@ -228,12 +222,14 @@ private:
   // A short edge that is not on a narrow face becomes a vertex, too, if enough is left of the wires that it is on.
   void collapse(std::size_t e)
   {
-    const auto is_long = [&](std::size_t other) { return !m_is_short[other]; };
     for(std::size_t f = 0; f < m_wires.size(); ++f)
-      for(const Wire& wire : m_wires[f])
-        if(std::find(wire.begin(), wire.end(), e) != wire.end()
-           && (m_is_kept[f] || std::count_if(wire.begin(), wire.end(), is_long) < 3))
+      for(const Wire& wire : m_wires[f]) {
+        Wire left;
+        std::copy_if(wire.begin(), wire.end(), std::back_inserter(left), [&](std::size_t i) { return !m_is_short[i]; });
+        const bool is_concerned = std::find(wire.begin(), wire.end(), e) != wire.end();
+        if(is_concerned && (m_is_kept[f] || left.empty() || is_pair(left)))
           return;
+      }
     Edge_merging merging = m_merging;
     if(merging.merge_vertices(m_model.edges()[e].source, m_model.edges()[e].target) && are_neighbors_well(merging))
       m_merging = std::move(merging);
