@@ -39,6 +39,8 @@ std::string verdict_text(const Mesh_cad_result& result, const Cad_mesh_verdict& 
   std::string names;
   for(const auto& face : result.left_out)
     names += (names.empty() ? " left out " : ",") + std::to_string(face.shape_face + 1);
+  if(!result.shape.closed_up.empty())
+    names += " closed up " + std::to_string(result.shape.closed_up.size());
   return verdict.text() + names;
 }
 
@@ -54,7 +56,7 @@ std::string cells(const std::string& file_name)
   const Cad_mesh_verdict verdict = Cad_mesh_judge(shape, judge_input(result))();
   const double seconds = result.model_seconds + result.meshing_seconds, triangles = double(result.quality.number_of_faces);
   std::ostringstream out;
-  out << result.shape.number_of_shape_faces - result.left_out.size() << "/" << result.shape.number_of_shape_faces << "\t"
+  out << mesh_cad::number_of_meshed_faces(result) << "/" << result.shape.number_of_shape_faces << "\t"
       << (verdict.is_closed() ? "yes" : "no") << "/" << (verdict.is_shape_closed ? "yes" : "no") << "\t"
       << verdict_text(result, verdict) << "\t" << result.quality.number_of_faces << "\t" << text("%.2f", seconds) << "\t"
       << text("%.0fk", triangles / seconds / 1000) << "\t" << text("%.3g", result.quality.min_angle) << "\t"

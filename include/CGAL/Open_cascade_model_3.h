@@ -34,6 +34,14 @@ struct Open_cascade_model_3
     std::string reason;     ///< why
   };
 
+  /// a face that is closed up: it is so narrow that the edges on both sides of it are one edge of the model, or so small
+  /// that all of it is a vertex.
+  struct Closed_up_face
+  {
+    std::size_t shape_face; ///< its number in the shape
+    double width;           ///< the largest distance that was measured across it
+  };
+
   /// an edge whose curves are farther apart than its tolerance in the shape says.
   struct Gap
   {
@@ -52,12 +60,15 @@ struct Open_cascade_model_3
 
   Model model; ///< its first edges are those of the shape, in their order; then come collapsed ones that the shape lacks
   std::vector<std::size_t> shape_faces; ///< for each face of the model, its number in the shape; a face between two shells appears twice
+  /// for each edge of the shape, those of the model along it: the same, unless a face is closed up; none if it is a vertex
+  std::vector<std::vector<std::size_t>> model_edges;
   std::size_t number_of_shape_faces = 0;
   std::size_t number_of_shape_edges = 0;
   double diagonal = 0; ///< of the box of the shape
   bool is_shape_closed = true; ///< whether each edge has two uses in each shell that it is in, as far as faces lie on it
 
   std::vector<Left_out_face> left_out; ///< faces that could not be built
+  std::vector<Closed_up_face> closed_up; ///< faces too narrow to be meshed; they are not in the model
   std::vector<Inner_edge> inner_edges; ///< edges with the orientation `TopAbs_INTERNAL` or `TopAbs_EXTERNAL` in a face
   std::vector<Gap> gaps;               ///< of edges that are less exact than the shape says
   double largest_gap = 0;              ///< the largest distance between an edge and the image of one of its curves, of all edges

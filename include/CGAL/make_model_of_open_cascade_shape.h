@@ -24,17 +24,25 @@ measured; where they are larger than the tolerance says the edge is listed in `O
 by projection.
 - Faces of spheres may get other parameters than those of the file: by a stereographic projection, where there is no seam or
 the boundary runs through a pole.
+- A face that is nowhere wider than a millionth of the diagonal is closed up, so that its neighbours meet without a gap: of
+two edges side by side one takes the place of both, or several that of one along them, and shorter edges become a vertex.
+The face is listed in `Open_cascade_model_3::closed_up`, and not in the model. It stays and is meshed, like those beside
+it, if several edges on one side end at other places than several on the other one, if a neighbour would be left with an
+edge there and back, or if it is wider than this together with others that are closed up.
+- Other edges as short become a vertex, too, unless nothing, or two edges side by side, would be left of a loop.
 - A face that cannot be built, or where the kernel throws an exception, is left out and listed with its reason. It does
 not matter for the others.
 
 \param shape a shape with faces
+\param closed_up_width the largest width of faces that are closed up, and length of edges that become a vertex, over the
+diagonal; 0 for none
 
 \throws Parametric_surface_mesh_error if the shape has no extent
 */
-inline Open_cascade_model_3 make_model_of_open_cascade_shape(const TopoDS_Shape& shape)
+inline Open_cascade_model_3 make_model_of_open_cascade_shape(const TopoDS_Shape& shape, double closed_up_width = 1e-6)
 {
   using namespace Parametric_surface_mesher::internal;
-  return guarded([&] { return Shape_model_builder(shape)(shape); });
+  return guarded([&] { return Shape_model_builder(shape)(shape, closed_up_width); });
 }
 
 } // namespace CGAL

@@ -12,6 +12,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_Plane.hxx>
@@ -184,6 +185,33 @@ TEST_F(Mesh_cad_program, leaves_out_faces_that_cannot_be_meshed)
   const auto numbers = nlohmann::json::parse(content(file("dirty.json")));
   ASSERT_EQ(numbers["left_out"].size(), 1u);
   EXPECT_EQ(numbers["left_out"][0]["face"], 1);
+}
+
+TEST_F(Mesh_cad_program, closes_up_narrow_faces)
+{
+  BRepBuilderAPI_MakePolygon polygon;
+  for(const gp_Pnt& p : {gp_Pnt(0, 0, 0), gp_Pnt(2, 0, 0), gp_Pnt(2, 1, 0), gp_Pnt(2 - 1e-6, 1 + 1e-7, 0), gp_Pnt(0, 1, 0)})
+    polygon.Add(p);
+  polygon.Close();
+  BRepTools::Write(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(polygon.Wire()).Face(), gp_Vec(0, 0, 3)).Shape(),
+                   file("narrow.brep").c_str());
+  const Result result = run("narrow.brep --out narrow.off --json narrow.json");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.out.find("is closed up: it is nowhere wider than 1"), std::string::npos) << result.out;
+  EXPECT_NEAR(volume("narrow.off"), 6, 1e-5);
+  const auto numbers = nlohmann::json::parse(content(file("narrow.json")));
+  EXPECT_EQ(numbers["faces"], 7);
+  EXPECT_EQ(numbers["meshed_faces"], 6);
+  EXPECT_TRUE(numbers["left_out"].empty());
+  EXPECT_TRUE(numbers["closed"]);
+  EXPECT_EQ(numbers["below_10"], 0);
+  EXPECT_EQ(numbers["collapsed_edges"].size(), 2u);
+  ASSERT_EQ(numbers["closed_up"].size(), 1u);
+  EXPECT_NEAR(numbers["closed_up"][0]["width"], 1e-6, 1e-7);
+  const std::string face = std::to_string(numbers["closed_up"][0]["face"].get<int>());
+  const Result alone = run("narrow.brep --faces " + face);
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_NE(alone.err.find("face " + face + " is closed up"), std::string::npos) << alone.err;
 }
 
 TEST_F(Mesh_cad_program, sews_the_faces_of_an_iges_file)

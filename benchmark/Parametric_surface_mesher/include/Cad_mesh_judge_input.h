@@ -8,13 +8,18 @@
 
 #include "Cad_mesh_judge.h"
 
+#include <cstddef>
 #include <utility>
+#include <vector>
 
-// The mesh of mesh_cad for the judge, with no more than a file would tell.
+// The mesh of mesh_cad for the judge, with no more than its files tell.
 inline Judged_mesh judge_input(const Mesh_cad_result& result)
 {
   mesh_cad::Elements elements = mesh_cad::elements(result);
-  return {std::move(elements.points), std::move(elements.triangles), std::move(elements.face_ids)};
+  std::vector<std::size_t> closed_up;
+  for(const auto& face : result.shape.closed_up)
+    closed_up.push_back(face.shape_face + 1);
+  return {std::move(elements.points), std::move(elements.triangles), std::move(elements.face_ids), closed_up};
 }
 
 #endif // CAD_MESH_JUDGE_INPUT_H

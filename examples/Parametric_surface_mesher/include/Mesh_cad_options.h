@@ -51,8 +51,12 @@ const char* const conclusion =
   "and .inp tell the face of each triangle. In the file the triangles of a solid face outward.\n"
   "\n"
   "A face that cannot be meshed is left out and listed with the reason; the others are meshed.\n"
+  "A face that is nowhere wider than a millionth of the diagonal is closed up, and listed: it has\n"
+  "no triangles, and the faces on both sides of it meet.\n"
   "The numbers of --json are, among others:\n"
-  "  faces, meshed_faces, left_out  faces of the shape, those in the mesh, and the others\n"
+  "  faces, meshed_faces            faces of the shape, and those in the mesh\n"
+  "  left_out, closed_up            the others: those that could not be meshed, and the narrow ones\n"
+  "  collapsed_edges                edges as short, which are a vertex\n"
   "  triangles, vertices, min_angle, mean_min_angle, mean_radius_ratio\n"
   "  min_angle_apart_from_corners   the smallest angle but for those in corners of faces below 30\n"
   "                                 degrees, where the corner is not divided\n"
@@ -68,9 +72,9 @@ const char* const conclusion =
   "  largest_gap                    between an edge and a curve in the domain of a face\n"
   "  seconds                        processor time: reading, model, meshing, measuring\n"
   "\n"
-  "Exit status: 0 if all faces are meshed; 1 if some are left out, and the files are written\n"
-  "without them; 2 after an error, which is one line on the standard error output, and no file\n"
-  "is written.\n";
+  "Exit status: 0 if all faces are meshed, or closed up; 1 if some are left out, and the files\n"
+  "are written without them; 2 after an error, which is one line on the standard error output,\n"
+  "and no file is written.\n";
 
 inline po::options_description described_options(Mesh_cad_options& o)
 {

@@ -69,13 +69,25 @@ inline std::size_t number_of_meshed_faces(const Mesh_cad_result& result)
   return faces.size();
 }
 
+// edges that are so short that they are a vertex of the model, from 1
+inline std::vector<std::size_t> collapsed_edges(const CGAL::Open_cascade_model_3& shape)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t e = 0; e < shape.model_edges.size(); ++e)
+    if(shape.model_edges[e].empty())
+      result.push_back(e + 1);
+  return result;
+}
+
 inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
 {
   const auto& shape = result.shape;
   nlohmann::ordered_json left_out = nlohmann::ordered_json::array(), gaps = nlohmann::ordered_json::array(),
-                         inner_edges = nlohmann::ordered_json::array();
+                         closed_up = nlohmann::ordered_json::array(), inner_edges = nlohmann::ordered_json::array();
   for(const auto& face : result.left_out)
     left_out.push_back({{"face", face.shape_face + 1}, {"reason", face.reason}});
+  for(const auto& face : shape.closed_up)
+    closed_up.push_back({{"face", face.shape_face + 1}, {"width", face.width}});
   for(const auto& gap : shape.gaps)
     gaps.push_back({{"edge", gap.shape_edge + 1}, {"face", gap.shape_face + 1}, {"distance", gap.distance}, {"tolerance", gap.tolerance}});
   for(const auto& edge : shape.inner_edges)
@@ -85,6 +97,8 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
           {"edges", shape.number_of_shape_edges},
           {"meshed_faces", number_of_meshed_faces(result)},
           {"left_out", left_out},
+          {"closed_up", closed_up},
+          {"collapsed_edges", collapsed_edges(shape)},
           {"shape_closed", shape.is_shape_closed},
           {"largest_gap", shape.largest_gap},
           {"gaps_above_tolerance", gaps},
@@ -176,6 +190,10 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
   const auto& shape = result.shape;
   for(const auto& face : result.left_out)
     out << "  LEFT OUT face " << face.shape_face + 1 << ": " << face.reason << "\n";
+  for(const auto& face : shape.closed_up)
+    out << "  face " << closed_up_text(face) << "\n";
+  if(!collapsed_edges(shape).empty())
+    out << "  " << mesh_patch::plural(collapsed_edges(shape).size(), "edge") << " collapsed to vertices\n";
   for(const auto& edge : shape.inner_edges)
     out << "  edge " << edge.shape_edge + 1 << " is inside of face " << edge.shape_face + 1 << ", and the mesh does not follow it\n";
   if(result.number_of_sewn_edges > 0)

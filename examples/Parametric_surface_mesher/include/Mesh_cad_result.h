@@ -87,9 +87,12 @@ inline void select_faces(const std::set<std::size_t>& wanted, CGAL::Open_cascade
     }
   shape.model.faces().swap(faces);
   shape.shape_faces.swap(numbers);
-  shape.left_out.erase(std::remove_if(shape.left_out.begin(), shape.left_out.end(),
-                                      [&](const auto& face) { return is_unwanted(face.shape_face); }),
-                       shape.left_out.end());
+  const auto keep_wanted = [&](auto& list) {
+    const auto is_unwanted_face = [&](const auto& face) { return is_unwanted(face.shape_face); };
+    list.erase(std::remove_if(list.begin(), list.end(), is_unwanted_face), list.end());
+  };
+  keep_wanted(shape.left_out);
+  keep_wanted(shape.closed_up);
 }
 
 inline void set_sizes(const Mesh_cad_options& options, CGAL::Open_cascade_model_3& shape)
@@ -104,7 +107,10 @@ inline void set_sizes(const Mesh_cad_options& options, CGAL::Open_cascade_model_
       shape.model.faces()[f].max_edge = found->second;
   }
   for(const auto& size : options.max_edge_of_edge)
-    shape.model.edges()[size.first - 1].max_edge = size.second;
+    for(const std::size_t e : shape.model_edges[size.first - 1]) {
+      double& max_edge = shape.model.edges()[e].max_edge;
+      max_edge = max_edge > 0 ? (std::min)(max_edge, size.second) : size.second;
+    }
   if(!options.spheres.is_empty())
     shape.model.set_sizing_field(options.spheres);
 }
@@ -168,10 +174,21 @@ inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result&
   return options.is_healing_wanted ? CGAL::repair_open_cascade_shape(shape) : shape;
 }
 
+// number and reason
+inline std::string closed_up_text(const CGAL::Open_cascade_model_3::Closed_up_face& face)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << face.shape_face + 1 << " is closed up: it is nowhere wider than " << face.width;
+  return text.str();
+}
+
 inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
 {
   namespace parameters = CGAL::parameters;
   if(result.shape.model.faces().empty()) {
+    if(!result.shape.closed_up.empty() && result.left_out.empty())
+      throw Usage_error("no face is left to mesh; face " + closed_up_text(result.shape.closed_up.front()));
     if(result.left_out.empty())
       throw Usage_error(options.input + " has no faces");
     throw Usage_error("no face can be meshed; face " + std::to_string(result.left_out.front().shape_face + 1) + ": "

@@ -13,10 +13,12 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -35,17 +37,18 @@
 #include <utility>
 #include <vector>
 
-// A mesh with the faces of the shape, from 1, that its triangles lie on.
+// A mesh with the faces of the shape, from 1, that its triangles lie on, and those that it names as too narrow to have any.
 struct Judged_mesh
 {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::size_t, 3>> triangles;
   std::vector<std::size_t> face_ids;
+  std::vector<std::size_t> closed_up_faces;
 };
 
 struct Cad_mesh_verdict
 {
-  std::vector<std::size_t> uncovered_faces; // from 1: without triangles, or with points far from them
+  std::vector<std::size_t> uncovered_faces; // from 1: without triangles and not closed up rightly, or with points far away
   std::size_t border_edges = 0, nonmanifold_edges = 0, repeated_vertices = 0;
   std::size_t misoriented_triangles = 0; // against the side of the face, of those looked at
   double deviation = 0;   // from points of faces and edges to the triangles of the face, over the diagonal
@@ -83,6 +86,7 @@ class Cad_mesh_judge
   static const int samples_in_u = 12, samples_on_edge = 24;
   static const std::size_t triangles_looked_at = 300; // of a face
   static constexpr double too_far = 0.01;             // over the diagonal
+  static constexpr double narrow = 1e-6;              // over the diagonal
 
   const Judged_mesh& m_mesh;
   TopTools_IndexedMapOfShape m_faces;
@@ -161,15 +165,24 @@ private:
 
   Point_3 point(std::size_t i) const { return Point_3(m_mesh.points[i][0], m_mesh.points[i][1], m_mesh.points[i][2]); }
 
+  Kernel::Triangle_3 triangle(std::size_t t) const
+  {
+    return Kernel::Triangle_3(point(m_mesh.triangles[t][0]), point(m_mesh.triangles[t][1]), point(m_mesh.triangles[t][2]));
+  }
+
   void judge_face(std::size_t f, const TopoDS_Face& face)
   {
     Triangles triangles;
     for(const std::size_t t : m_triangles[f])
-      triangles.emplace_back(point(m_mesh.triangles[t][0]), point(m_mesh.triangles[t][1]), point(m_mesh.triangles[t][2]));
-    if(triangles.empty()) {
+      triangles.push_back(triangle(t));
+    const bool is_closed_up
+      = std::find(m_mesh.closed_up_faces.begin(), m_mesh.closed_up_faces.end(), f + 1) != m_mesh.closed_up_faces.end();
+    if(triangles.empty() != is_closed_up || (is_closed_up && !is_narrow(face))) {
       m_verdict.uncovered_faces.push_back(f + 1);
       return;
     }
+    if(is_closed_up)
+      triangles = all_triangles();
     const Tree tree(triangles.begin(), triangles.end());
     double farthest = 0;
     for(const gp_Pnt& p : samples(face))
@@ -177,7 +190,24 @@ private:
     m_verdict.deviation = (std::max)(m_verdict.deviation, farthest / m_diagonal);
     if(farthest > too_far * m_diagonal)
       m_verdict.uncovered_faces.push_back(f + 1);
-    judge_triangles(f, face, triangles);
+    if(!is_closed_up)
+      judge_triangles(f, face, triangles);
+  }
+
+  bool is_narrow(const TopoDS_Face& face) const
+  {
+    GProp_GProps area, perimeter;
+    BRepGProp::SurfaceProperties(face, area);
+    BRepGProp::LinearProperties(face, perimeter);
+    return std::fabs(area.Mass()) <= narrow * m_diagonal * perimeter.Mass();
+  }
+
+  Triangles all_triangles() const
+  {
+    Triangles result;
+    for(std::size_t t = 0; t < m_mesh.triangles.size(); ++t)
+      result.push_back(triangle(t));
+    return result;
   }
 
   // points inside the face and on its edges

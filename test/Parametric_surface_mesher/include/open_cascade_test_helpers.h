@@ -61,6 +61,8 @@ struct Meshed_shape
       result.triangles.push_back(triangle);
       result.face_ids.push_back(shape.shape_faces[patch[f]] + 1);
     }
+    for(const auto& face : shape.closed_up)
+      result.closed_up_faces.push_back(face.shape_face + 1);
     return result;
   }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Loop_closer.h>
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/convert_curves.h>
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/find_sphere_chart.h>
+#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Narrow_face_closer.h>
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/order_uses.h>
 
 #include <BRep_Tool.hxx>
@@ -48,6 +49,7 @@ class Face_builder
 
   Open_cascade_model_3& m_result;
   const TopTools_IndexedMapOfShape& m_edges;
+  const std::vector<Edge_place>& m_places; // of the edges
   const std::vector<double>& m_vertex_tolerances;
   TopoDS_Face m_face; // oriented forward
   std::size_t m_number;
@@ -57,8 +59,9 @@ class Face_builder
 
 public:
   Face_builder(Open_cascade_model_3& result, const TopTools_IndexedMapOfShape& edges,
-               const std::vector<double>& vertex_tolerances, const TopoDS_Face& face, std::size_t number)
-    : m_result(result), m_edges(edges), m_vertex_tolerances(vertex_tolerances),
+               const std::vector<Edge_place>& places, const std::vector<double>& vertex_tolerances, const TopoDS_Face& face,
+               std::size_t number)
+    : m_result(result), m_edges(edges), m_places(places), m_vertex_tolerances(vertex_tolerances),
       m_face(TopoDS::Face(face.Oriented(TopAbs_FORWARD))), m_number(number), m_surface(m_face), m_original(m_surface),
       m_chart(Sphere_chart_finder(m_face).find<Kernel>())
   {
@@ -101,11 +104,22 @@ private:
       if(edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED)
         continue; // inside the face, or outside of it: no boundary
       const std::size_t number = std::size_t(m_edges.FindIndex(edge)) - 1;
+      if(m_places[number].is_point)
+        continue;
       const Edge_use use{number, edge.Orientation() == TopAbs_REVERSED, domain_curve(edge, number)};
       if(!is_no_boundary(use))
-        result.push_back(use);
+        append_in_place(use, result);
     }
     return result;
+  }
+
+  // A use of an edge becomes uses of those in its place.
+  void append_in_place(const Edge_use& use, Loop& result) const
+  {
+    if(m_places[use.edge].pieces.empty())
+      result.push_back(use);
+    for(const auto& piece : m_places[use.edge].pieces)
+      result.push_back({piece.edge, use.is_reversed != piece.match.is_reversed(), piece.match.reparametrized(use.curve)});
   }
 
   // A pole of a sphere is none in its chart. Elsewhere, an edge that claims to be collapsed and is not: Open CASCADE's readers

@@ -12,6 +12,7 @@
 #include <CGAL/Open_cascade_model_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Face_builder.h>
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Kernel_guard.h>
+#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Narrow_face_closer.h>
 #include <CGAL/Parametric_surface_mesher/internal/Open_cascade/convert_curves.h>
 
 #include <BRepBndLib.hxx>
@@ -26,10 +27,12 @@
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <exception>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -46,6 +49,8 @@ class Shape_model_builder
   Open_cascade_model_3 m_result;
   TopTools_IndexedMapOfShape m_vertices, m_edges, m_faces;
   std::vector<double> m_vertex_tolerances;
+  std::vector<Edge_place> m_places; // of the edges of the shape
+  std::set<std::size_t> m_closed_up; // faces of the shape
 
 public:
   explicit Shape_model_builder(const TopoDS_Shape& shape)
@@ -60,12 +65,14 @@ public:
     m_result.diagonal = diagonal();
   }
 
-  Open_cascade_model_3 operator()(const TopoDS_Shape& shape)
+  // Faces no wider than a share of the diagonal are closed up.
+  Open_cascade_model_3 operator()(const TopoDS_Shape& shape, double closed_up_width)
   {
     for(int i = 1; i <= m_vertices.Extent(); ++i)
       add_vertex(TopoDS::Vertex(m_vertices(i)));
     for(int i = 1; i <= m_edges.Extent(); ++i)
       add_edge(TopoDS::Edge(m_edges(i).Oriented(TopAbs_FORWARD)));
+    close_narrow_faces(closed_up_width * m_result.diagonal);
     list_inner_edges();
     add_shells(shape);
     orient();
@@ -121,6 +128,42 @@ private:
     return model().add_vertex(edge.curve ? edge.curve->point(0) : Model::Point_3(0, 0, 0));
   }
 
+  void close_narrow_faces(double width)
+  {
+    const Narrow_face_closer closer(model(), m_edges, m_faces, width);
+    m_result.closed_up = closer.closed_up();
+    for(const auto& face : m_result.closed_up)
+      m_closed_up.insert(face.shape_face);
+    for(std::size_t v = 0; v < m_vertex_tolerances.size(); ++v)
+      move_vertex(v, closer.vertex_place(v));
+    for(std::size_t e = 0; e < m_result.number_of_shape_edges; ++e) {
+      m_places.push_back(closer.edge_place(e));
+      move_edge(e, closer);
+    }
+  }
+
+  void move_vertex(std::size_t v, std::size_t place)
+  {
+    const double distance = std::sqrt(squared_distance(model().vertices()[v], model().vertices()[place]));
+    m_vertex_tolerances[place] = (std::max)(m_vertex_tolerances[place], m_vertex_tolerances[v] + distance);
+  }
+
+  // The edge in the place of others is as inexact as it is far from them.
+  void move_edge(std::size_t e, const Narrow_face_closer& closer)
+  {
+    Model::Edge& edge = model().edges()[e];
+    edge.source = closer.vertex_place(edge.source);
+    edge.target = closer.vertex_place(edge.target);
+    m_result.model_edges.emplace_back();
+    for(const auto& piece : m_places[e].pieces) {
+      double& tolerance = model().edges()[piece.edge].tolerance;
+      tolerance = (std::max)(tolerance, edge.tolerance + piece.match.distance());
+      m_result.model_edges.back().push_back(piece.edge);
+    }
+    if(m_places[e].pieces.empty() && !m_places[e].is_point)
+      m_result.model_edges.back().push_back(e);
+  }
+
   void list_inner_edges()
   {
     for(int f = 1; f <= m_faces.Extent(); ++f)
@@ -162,7 +205,8 @@ private:
       for(TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
         if(is_on_boundary(edge.Current()) && !BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
           ++numbers_of_uses[m_edges.FindIndex(edge.Current())];
-      add_face(TopoDS::Face(face), shell);
+      if(m_closed_up.count(std::size_t(m_faces.FindIndex(face)) - 1) == 0)
+        add_face(TopoDS::Face(face), shell);
     }
     for(const auto& edge : numbers_of_uses)
       m_result.is_shape_closed = m_result.is_shape_closed && edge.second == 2;
@@ -172,7 +216,8 @@ private:
   {
     const std::size_t number = std::size_t(m_faces.FindIndex(face)) - 1;
     try {
-      Model::Face result = guarded([&] { return Face_builder(m_result, m_edges, m_vertex_tolerances, face, number)(); });
+      const auto build = [&] { return Face_builder(m_result, m_edges, m_places, m_vertex_tolerances, face, number)(); };
+      Model::Face result = guarded(build);
       result.is_reversed = face.Orientation() == TopAbs_REVERSED;
       result.shell = shell;
       model().add_face(std::move(result));
