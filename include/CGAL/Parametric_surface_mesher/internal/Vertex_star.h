@@ -64,6 +64,7 @@ private:
   const MetricField& m_metric;
   Vertex_handle m_center;
   std::vector<Face_handle> m_faces;
+  std::vector<int> m_numbers;             // of the centre in the faces
   std::vector<Vertex_handle> m_ring;      // face k has vertices k and k + 1
   std::vector<double> m_squared_lengths; // of the edges of the ring
 
@@ -76,13 +77,15 @@ public:
   {
     m_center = vertex;
     m_faces.clear();
+    m_numbers.clear();
     m_ring.clear();
     m_squared_lengths.clear();
     const Face_handle first = vertex->face();
     Face_handle face = first;
     do {
-      const int i = face->index(vertex);
+      const int i = int(face->vertex(1) == vertex) + 2 * int(face->vertex(2) == vertex); // `index()` has branches
       m_faces.push_back(face);
+      m_numbers.push_back(i);
       m_ring.push_back(face->vertex(Triangulation::ccw(i)));
       face = face->neighbor(Triangulation::ccw(i));
     } while(face != first);
@@ -211,8 +214,8 @@ public:
   void try_at(const Point& point)
   {
     m_center->set_point(point);
-    for(Face_handle face : m_faces)
-      face->touch_by_vertex(face->index(m_center));
+    for(std::size_t k = 0; k < m_faces.size(); ++k)
+      m_faces[k]->touch_by_vertex(m_numbers[k]);
   }
 
   void unsettle_ring()
