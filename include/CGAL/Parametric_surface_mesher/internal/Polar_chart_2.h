@@ -169,8 +169,8 @@ private:
     return m_number_of_poles == 1 ? std::atan2(y, x) : std::atan2(2 * y, 1 - x * x - y * y);
   }
 
-  // r, with its derivatives by the logarithm of |E|, that is of |z| for one pole. Logarithms are taken for a scale only: they
-  // cost as much as an evaluation of a simple surface.
+  // r, with its derivatives by the logarithm of |E|, that is of |z| for one pole. Logarithms are taken for a scale only:
+  // they cost as much as an evaluation of a simple surface.
   Radial_scale::Jet radius(const Point_2& z) const
   {
     const double x = z.x(), y = z.y();

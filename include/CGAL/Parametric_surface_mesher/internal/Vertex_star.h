@@ -99,7 +99,7 @@ public:
   {
     Star_quality result;
     for_each_triangle(center, [&](std::size_t, const std::array<double, 3>& lengths) {
-      result.squared_sine = (std::min)(result.squared_sine, face_measures(lengths).squared_smallest_sine);
+      result.squared_sine = (std::min)(result.squared_sine, internal::squared_smallest_sine(lengths));
       result.mean_ratio += squared_mean_ratio(lengths);
     });
     result.mean_ratio /= double(m_ring.size());
@@ -112,7 +112,7 @@ public:
     double result = 1, previous = m_metric.squared_length(center, ring_point(0));
     for(std::size_t k = 0; k < m_ring.size() && result > least; ++k) {
       const double next = m_metric.squared_length(center, ring_point(k + 1));
-      result = (std::min)(result, face_measures({m_squared_lengths[k], next, previous}).squared_smallest_sine);
+      result = (std::min)(result, internal::squared_smallest_sine({m_squared_lengths[k], next, previous}));
       previous = next;
     }
     return result;
@@ -131,11 +131,10 @@ public:
     Star_shape result;
     result.squared_distance = std::numeric_limits<double>::infinity();
     for_each_triangle(center, [&](std::size_t k, const std::array<double, 3>& lengths) {
-      const Face_measures measures = face_measures(lengths);
       const double sum = m_center->spacing() + m_ring[k]->spacing() + ring_vertex(k + 1)->spacing();
-      result.quality.squared_sine = (std::min)(result.quality.squared_sine, measures.squared_smallest_sine);
+      result.quality.squared_sine = (std::min)(result.quality.squared_sine, internal::squared_smallest_sine(lengths));
       result.quality.mean_ratio += squared_mean_ratio(lengths);
-      result.squared_size = (std::max)(result.squared_size, measures.squared_circumradius / (sum * sum));
+      result.squared_size = (std::max)(result.squared_size, squared_circumradius(lengths) / (sum * sum));
       result.squared_distance = (std::min)(result.squared_distance, lengths[1]);
     });
     result.quality.mean_ratio /= double(m_ring.size());
