@@ -12,7 +12,8 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // A surface in the coordinates of a chart: a model of `ParametricSurface_3`. The way back to the domain costs as much as an
-// evaluation of the surface, and all edges of a vertex ask for it: it is remembered. So an object is for one thread.
+// evaluation of the surface, and all edges of a vertex ask for it: it is remembered, as is the last jet in the domain, which
+// is asked for twice. So an object is for one thread.
 template <class Surface>
 class Charted_surface_3
 {
@@ -26,10 +27,11 @@ private:
   const Surface& m_surface;
   Chart m_chart;
   mutable Recent_values<Point_2, Point_2> m_domain_points;
+  mutable Recent_values<Point_2, Surface_jet_3<Geom_traits>> m_domain_jet;
 
 public:
   Charted_surface_3(const Surface& surface, const Chart& chart)
-    : m_surface(surface), m_chart(chart), m_domain_points(chart.is_identity() ? 0 : 1024)
+    : m_surface(surface), m_chart(chart), m_domain_points(chart.is_identity() ? 0 : 1024), m_domain_jet(1)
   {}
 
   const Chart& chart() const { return m_chart; }
@@ -58,8 +60,7 @@ public:
     Point_2 z(x, y);
     if(m_chart.is_pole(z))
       z = m_chart.beside_pole(z, distance_from_pole);
-    const Point_2 uv = domain_point(z);
-    return m_chart.chart_jet(m_surface.jet(uv.x(), uv.y()), z);
+    return m_chart.chart_jet(domain_jet(domain_point(z)), z);
   }
 
   // The jet by the coordinates whose straight lines count.
@@ -67,12 +68,16 @@ public:
   {
     if(!m_chart.keeps_domain_lines())
       return jet(z.x(), z.y());
-    const Point_2 uv = domain_point(z);
-    return m_surface.jet(uv.x(), uv.y());
+    return domain_jet(domain_point(z));
   }
 
 private:
   static constexpr double distance_from_pole = 1e-4;
+
+  const Surface_jet_3<Geom_traits>& domain_jet(const Point_2& uv) const
+  {
+    return m_domain_jet(uv, [this](const Point_2& p) { return m_surface.jet(p.x(), p.y()); });
+  }
 };
 
 template <class Surface, class Point_2>

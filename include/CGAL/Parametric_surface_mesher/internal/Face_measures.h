@@ -35,11 +35,18 @@ inline double squared_circumradius(const std::array<double, 3>& l)
   return area > 0 ? l[0] * l[1] * l[2] / area : std::numeric_limits<double>::infinity();
 }
 
+// of the smallest angle
+inline double squared_smallest_sine(const std::array<double, 3>& l)
+{
+  const double area = squared_area_16(l);
+  return area > 0 ? (std::min)(l[0], (std::min)(l[1], l[2])) * area / (4 * (l[0] * l[1] * l[2])) : 0;
+}
+
 inline Face_measures face_measures(const std::array<double, 3>& l)
 {
   const double product = l[0] * l[1] * l[2];
   const double area = squared_area_16(l);
-  const double shortest = (std::min)({l[0], l[1], l[2]});
+  const double shortest = (std::min)(l[0], (std::min)(l[1], l[2]));
   if(area > 0)
     return {l, product / area, shortest * area / (4 * product)};
   return {l, std::numeric_limits<double>::infinity(), 0};

@@ -166,7 +166,7 @@ private:
   {
     const auto &p = face->vertex(0)->point().surface_point(), &q = face->vertex(1)->point().surface_point(),
                &r = face->vertex(2)->point().surface_point();
-    return face_measures({squared_distance(q, r), squared_distance(r, p), squared_distance(p, q)}).squared_smallest_sine;
+    return squared_smallest_sine({squared_distance(q, r), squared_distance(r, p), squared_distance(p, q)});
   }
 
   static double degrees(double squared_sine) { return std::asin(std::sqrt(squared_sine)) * 45 / std::atan(1.); }

@@ -297,10 +297,9 @@ private:
       const auto &p = edge.first->vertex((edge.second + 1) % 3)->point(),
                  &q = edge.first->vertex((edge.second + 2) % 3)->point();
       const auto& metric = m_evaluate.oracle().metric();
-      smallest = (std::min)(smallest, face_measures({metric.squared_length(p, q),
-                                                     metric.squared_length(q, candidate.position.point),
-                                                     metric.squared_length(candidate.position.point, p)})
-                                        .squared_smallest_sine);
+      smallest = (std::min)(smallest, squared_smallest_sine({metric.squared_length(p, q),
+                                                             metric.squared_length(q, candidate.position.point),
+                                                             metric.squared_length(candidate.position.point, p)}));
     }
     return smallest;
   }

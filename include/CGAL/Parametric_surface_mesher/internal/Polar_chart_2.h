@@ -110,8 +110,7 @@ public:
   {
     if(is_pole(z))
       return in_domain(m_middle, z.x() > 0 ? m_level + m_across_per_r : m_level);
-    const Complex l = log_e(Complex(z.x(), z.y()));
-    return in_domain(m_middle + l.imag() / m_theta_per_along, m_level + m_across_per_r * r_of(m_scale(l.real()).value));
+    return in_domain(m_middle + theta_of(z) / m_theta_per_along, m_level + m_across_per_r * radius(z).value);
   }
 
   // `pole`, the domain point of a pole, moved along its side to where `other` is
@@ -125,12 +124,10 @@ public:
   Surface_jet_3<Kernel> chart_jet(const Surface_jet_3<Kernel>& s, const Point_2& point) const
   {
     const Complex z(point.x(), point.y());
-    const Radial_scale::Jet l = m_scale(log_e(z).real());
-    const double r = r_of(l.value), r_per_l = m_across_per_r * (m_number_of_poles == 1 ? r : r * (1 - r));
+    const Radial_scale::Jet r = radius(point);
     const Complex d = m_number_of_poles == 1 ? reciprocal(z) : 2. * reciprocal(1. - product(z, z));
     const Complex dd = m_number_of_poles == 1 ? -product(d, d) : product(z, product(d, d));
-    const double r1 = r_per_l * l.first;
-    const double r2 = r_per_l * ((m_number_of_poles == 1 ? 1 : 1 - 2 * r) * l.first * l.first + l.second);
+    const double r1 = m_across_per_r * r.first, r2 = m_across_per_r * r.second;
     const double t = 1 / m_theta_per_along;
     // p: along the sides, q: across
     const double px = t * d.imag(), py = t * d.real(), pxx = t * dd.imag(), pxy = t * dd.real(), pyy = -pxx;
@@ -166,13 +163,29 @@ private:
   }
 
   // in real arithmetic: the complex functions of the standard library take several times as long
-  Complex log_e(const Complex& z) const
+  double theta_of(const Point_2& z) const
   {
-    const double x = z.real(), y = z.imag();
-    if(m_number_of_poles == 1)
-      return Complex(0.5 * std::log(x * x + y * y), std::atan2(y, x));
-    const double below = (1 + x) * (1 + x) + y * y, above = (1 - x) * (1 - x) + y * y;
-    return Complex(0.5 * std::log(below / above), std::atan2(2 * y, 1 - x * x - y * y));
+    const double x = z.x(), y = z.y();
+    return m_number_of_poles == 1 ? std::atan2(y, x) : std::atan2(2 * y, 1 - x * x - y * y);
+  }
+
+  // r, with its derivatives by the logarithm of |E|, that is of |z| for one pole. Logarithms are taken for a scale only:
+  // they cost as much as an evaluation of a simple surface.
+  Radial_scale::Jet radius(const Point_2& z) const
+  {
+    const double x = z.x(), y = z.y();
+    if(m_number_of_poles == 2) {
+      const double below = std::sqrt((1 + x) * (1 + x) + y * y), above = std::sqrt((1 - x) * (1 - x) + y * y);
+      const double r = below / (below + above), first = r * (1 - r);
+      return {r, first, first * (1 - 2 * r)};
+    }
+    if(m_scale.is_identity()) {
+      const double r = std::sqrt(x * x + y * y);
+      return {r, r, r};
+    }
+    const Radial_scale::Jet l = m_scale(0.5 * std::log(x * x + y * y));
+    const double r = std::exp(l.value);
+    return {r, r * l.first, r * (l.first * l.first + l.second)};
   }
 
   static Complex reciprocal(const Complex& z)
@@ -184,12 +197,6 @@ private:
   static Complex product(const Complex& z, const Complex& w)
   {
     return Complex(z.real() * w.real() - z.imag() * w.imag(), z.real() * w.imag() + z.imag() * w.real());
-  }
-
-  // from its logarithm, or that of r/(1-r)
-  double r_of(double l) const
-  {
-    return m_number_of_poles == 1 ? std::exp(l) : 1 / (1 + std::exp(-l));
   }
 
   Point_2 in_domain(double along, double across) const

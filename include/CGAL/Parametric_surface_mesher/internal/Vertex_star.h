@@ -64,6 +64,7 @@ private:
   const MetricField& m_metric;
   Vertex_handle m_center;
   std::vector<Face_handle> m_faces;
+  std::vector<int> m_numbers;             // of the centre in the faces
   std::vector<Vertex_handle> m_ring;      // face k has vertices k and k + 1
   std::vector<double> m_squared_lengths; // of the edges of the ring
 
@@ -76,13 +77,15 @@ public:
   {
     m_center = vertex;
     m_faces.clear();
+    m_numbers.clear();
     m_ring.clear();
     m_squared_lengths.clear();
     const Face_handle first = vertex->face();
     Face_handle face = first;
     do {
-      const int i = face->index(vertex);
+      const int i = int(face->vertex(1) == vertex) + 2 * int(face->vertex(2) == vertex); // `index()` has branches
       m_faces.push_back(face);
+      m_numbers.push_back(i);
       m_ring.push_back(face->vertex(Triangulation::ccw(i)));
       face = face->neighbor(Triangulation::ccw(i));
     } while(face != first);
@@ -96,7 +99,7 @@ public:
   {
     Star_quality result;
     for_each_triangle(center, [&](std::size_t, const std::array<double, 3>& lengths) {
-      result.squared_sine = (std::min)(result.squared_sine, face_measures(lengths).squared_smallest_sine);
+      result.squared_sine = (std::min)(result.squared_sine, internal::squared_smallest_sine(lengths));
       result.mean_ratio += squared_mean_ratio(lengths);
     });
     result.mean_ratio /= double(m_ring.size());
@@ -109,7 +112,7 @@ public:
     double result = 1, previous = m_metric.squared_length(center, ring_point(0));
     for(std::size_t k = 0; k < m_ring.size() && result > least; ++k) {
       const double next = m_metric.squared_length(center, ring_point(k + 1));
-      result = (std::min)(result, face_measures({m_squared_lengths[k], next, previous}).squared_smallest_sine);
+      result = (std::min)(result, internal::squared_smallest_sine({m_squared_lengths[k], next, previous}));
       previous = next;
     }
     return result;
@@ -128,11 +131,10 @@ public:
     Star_shape result;
     result.squared_distance = std::numeric_limits<double>::infinity();
     for_each_triangle(center, [&](std::size_t k, const std::array<double, 3>& lengths) {
-      const Face_measures measures = face_measures(lengths);
       const double sum = m_center->spacing() + m_ring[k]->spacing() + ring_vertex(k + 1)->spacing();
-      result.quality.squared_sine = (std::min)(result.quality.squared_sine, measures.squared_smallest_sine);
+      result.quality.squared_sine = (std::min)(result.quality.squared_sine, internal::squared_smallest_sine(lengths));
       result.quality.mean_ratio += squared_mean_ratio(lengths);
-      result.squared_size = (std::max)(result.squared_size, measures.squared_circumradius / (sum * sum));
+      result.squared_size = (std::max)(result.squared_size, squared_circumradius(lengths) / (sum * sum));
       result.squared_distance = (std::min)(result.squared_distance, lengths[1]);
     });
     result.quality.mean_ratio /= double(m_ring.size());
@@ -211,8 +213,8 @@ public:
   void try_at(const Point& point)
   {
     m_center->set_point(point);
-    for(Face_handle face : m_faces)
-      face->touch_by_vertex(face->index(m_center));
+    for(std::size_t k = 0; k < m_faces.size(); ++k)
+      m_faces[k]->touch_by_vertex(m_numbers[k]);
   }
 
   void unsettle_ring()
