@@ -24,6 +24,7 @@ struct Curve_position
 
 // The arc length of a curve in space, and its inverse. The curve is asked for its speed once, at the nodes of expansions in
 // Legendre polynomials on intervals that are halved until these have converged; all lengths are integrals of the expansions.
+// On lines and circles the speed counts as constant, so that what is symmetric is divided symmetrically.
 template <class Speed>
 class Arc_length
 {
@@ -43,6 +44,7 @@ class Arc_length
   Speed m_speed;
   std::vector<Interval> m_intervals;
   Curve_position m_begin, m_end;
+  bool m_is_constant = false;
 
 public:
   // `speed(t)` is the length of the derivative; `end < begin` is allowed. At least `n` intervals are looked at.
@@ -53,15 +55,19 @@ public:
 
   double length() const { return m_end.length; }
 
-  // looks at `n` intervals, if these are more
+  // looks at `n` intervals, if these are more, unless the speed is constant
   void refine(std::size_t n)
   {
-    if(n > m_intervals.size())
+    if(n > m_intervals.size() && !m_is_constant)
       expand(n);
   }
 
   // the length up to the parameter `t`
-  double length_at(double t) const { return interval_at(t).length_at(t); }
+  double length_at(double t) const
+  {
+    return m_is_constant ? length() * (t - m_begin.parameter) / (m_end.parameter - m_begin.parameter)
+                         : interval_at(t).length_at(t);
+  }
 
   // the position up to which the curve has length `s`
   Curve_position position_at(double s) const
@@ -76,12 +82,14 @@ public:
   // The position of length `s` between two known ones, by Newton steps that keep a bracket.
   Curve_position position_between(const Curve_position& from, const Curve_position& to, double s) const
   {
+    double t = from.parameter + (to.parameter - from.parameter) * (s - from.length) / (to.length - from.length);
+    if(m_is_constant)
+      return {s, t};
     const Interval& interval = *std::prev(std::upper_bound(
       m_intervals.begin() + 1, m_intervals.end(), s, [](double s, const Interval& i) { return s < i.begin.length; }));
     const double sign = interval.half_width > 0 ? 1 : -1;
     double t0 = clamped(interval.begin.parameter, from, to),
            t1 = clamped(interval.begin.parameter + 2 * interval.half_width, from, to);
-    double t = from.parameter + (to.parameter - from.parameter) * (s - from.length) / (to.length - from.length);
     if(!((t - t0) * (t - t1) < 0))
       t = 0.5 * (t0 + t1);
     for(int step = 0; step < 60; ++step) {
@@ -118,6 +126,10 @@ private:
     const double begin = m_begin.parameter, width = m_end.parameter - begin;
     for(std::size_t i = 0; i < n; ++i)
       append(begin + width * double(i) / double(n), begin + width * double(i + 1) / double(n), max_depth);
+    const double speed = m_intervals.front().speed.value(0);
+    m_is_constant = std::all_of(m_intervals.begin(), m_intervals.end(), [=](const Interval& i) {
+      return i.speed.is_constant() && std::fabs(i.speed.value(0) - speed) <= 1e-13 * speed;
+    });
   }
 
   // halves the interval from `t0` to `t1` as far as needed

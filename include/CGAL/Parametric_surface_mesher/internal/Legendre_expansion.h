@@ -44,6 +44,8 @@ public:
     return m_coefficients.tail<3>().lpNorm<1>() <= tolerance * std::fabs(m_coefficients[0]);
   }
 
+  bool is_constant() const { return m_degree == 0; }
+
   double value(double x) const
   {
     double sum = m_coefficients[0], previous = 1, current = x;
