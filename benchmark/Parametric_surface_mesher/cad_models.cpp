@@ -1,8 +1,8 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Meshes all CAD models of a folder as mesh_cad does without options, lets Open CASCADE judge the meshes, and prints a table.
-// Each model has a process and 60 seconds of its own.
+// Meshes all CAD models of a folder as mesh_cad does without options, lets Open CASCADE judge the meshes, and prints a
+// table. Each model has a process and 60 seconds of its own.
 #include "Cad_mesh_judge_input.h"
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_result.h"

@@ -1,8 +1,9 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// make_parametric_surface_mesh() beside CGAL's own meshers, on what both can do: make_surface_mesh() on the sphere and the torus
-// as implicit surfaces, Delaunay_mesher_2 on the flat square. All are asked for 30 degrees and the same number of triangles.
+// make_parametric_surface_mesh() beside CGAL's own meshers, on what both can do: make_surface_mesh() on the sphere and the
+// torus as implicit surfaces, Delaunay_mesher_2 on the flat square. All are asked for 30 degrees and the same number of
+// triangles.
 
 #include "Benchmark_settings.h"
 #include "Sample_mesher.h"

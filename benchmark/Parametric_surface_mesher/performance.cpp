@@ -1,9 +1,9 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Speed, shape and memory of make_parametric_surface_mesh() on the sample surfaces, as one table, with other meshers beside it
-// if wanted. A speed depends on the machine; so CGAL's range insertion into a constrained Delaunay triangulation with as many
-// triangles is timed by turns with the meshing, and the ratio of the two is what counts.
+// Speed, shape and memory of make_parametric_surface_mesh() on the sample surfaces, as one table, with other meshers beside
+// it if wanted. A speed depends on the machine; so CGAL's range insertion into a constrained Delaunay triangulation with as
+// many triangles is timed by turns with the meshing, and the ratio of the two is what counts.
 #include "Benchmark_settings.h"
 #include "Sample_mesher.h"
 #include "Text_table.h"

@@ -1,7 +1,8 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A tin, built from vertices, edges and faces: a side that closes on itself along a seam, and two round lids. Its mesh is closed.
+// A tin, built from vertices, edges and faces: a side that closes on itself along a seam, and two round lids. Its mesh is
+// closed.
 #include <CGAL/Parametric_function_surface_3.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Surface_mesh.h>

@@ -47,7 +47,8 @@ struct Open_cascade_model_3
   {
     std::size_t shape_edge; ///< the number of the edge in the shape
     std::size_t shape_face; ///< a face with a curve in its domain that is so far from the edge
-    double distance;        ///< the largest distance in space, between the image of that curve and the edge, or of their ends and the vertices
+    /// the largest distance in space, between the image of that curve and the edge, or of their ends and the vertices
+    double distance;
     double tolerance;       ///< the largest tolerance of the edge and its vertices
   };
 
@@ -59,7 +60,8 @@ struct Open_cascade_model_3
   };
 
   Model model; ///< its first edges are those of the shape, in their order; then come collapsed ones that the shape lacks
-  std::vector<std::size_t> shape_faces; ///< for each face of the model, its number in the shape; a face between two shells appears twice
+  /// for each face of the model, its number in the shape; a face between two shells appears twice
+  std::vector<std::size_t> shape_faces;
   /// for each edge of the shape, those of the model along it: the same, unless a face is closed up; none if it is a vertex
   std::vector<std::vector<std::size_t>> model_edges;
   std::size_t number_of_shape_faces = 0;
@@ -71,7 +73,8 @@ struct Open_cascade_model_3
   std::vector<Closed_up_face> closed_up; ///< faces too narrow to be meshed; they are not in the model
   std::vector<Inner_edge> inner_edges; ///< edges with the orientation `TopAbs_INTERNAL` or `TopAbs_EXTERNAL` in a face
   std::vector<Gap> gaps;               ///< of edges that are less exact than the shape says
-  double largest_gap = 0;              ///< the largest distance between an edge and the image of one of its curves, of all edges
+  /// the largest distance between an edge and the image of one of its curves, of all edges
+  double largest_gap = 0;
   std::size_t number_of_rebuilt_curves = 0; ///< curves in domains that were missing, or far off, and made anew by projection
   std::size_t number_of_removed_slits = 0;  ///< edges left out because a face lies on both sides, on the same curve
   std::size_t number_of_reversed_faces = 0; ///< faces turned because neighbours in a shell did not face to the same side

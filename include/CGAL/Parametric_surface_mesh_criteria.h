@@ -197,8 +197,8 @@ public:
     return *this;
   }
 
-  /// a limit of the processor time spent on the improvement of each patch, in seconds, after which no sweep begins and no triangle is
-  /// improved; with it the mesh depends on the speed of the machine. Default: none. \pre `seconds >= 0`
+  /// a limit of the processor time spent on the improvement of each patch, in seconds, after which no sweep begins and no
+  /// triangle is improved; with it the mesh depends on the speed of the machine. Default: none. \pre `seconds >= 0`
   Parametric_surface_mesh_criteria& set_improvement_time(double seconds)
   {
     CGAL_precondition(seconds >= 0);
@@ -213,10 +213,10 @@ public:
     return *this;
   }
 
-  /// how many triangles a patch may have, by an estimate, before it is split into parts that are meshed by themselves, at the
-  /// same time where there are threads, and joined. The split depends on the patch and the criteria alone, and leaves no trace
-  /// but in the order of vertices and faces, and up to some 15 percent more triangles where sizes differ much within a patch.
-  /// Patches with collapsed sides, or loops that touch, are not split. 0 for never. Default: 100000.
+  /// how many triangles a patch may have, by an estimate, before it is split into parts that are meshed by themselves, at
+  /// the same time where there are threads, and joined. The split depends on the patch and the criteria alone, and leaves no
+  /// trace but in the order of vertices and faces, and up to some 15 percent more triangles where sizes differ much within a
+  /// patch. Patches with collapsed sides, or loops that touch, are not split. 0 for never. Default: 100000.
   Parametric_surface_mesh_criteria& set_part_size(std::size_t number_of_triangles)
   {
     m_part_size = number_of_triangles;

@@ -17,7 +17,8 @@ namespace CGAL {
 enum class Unmet_cause
 {
   BOUNDARY,        ///< boundary-limited: it touches the boundary, which is never changed, and there is no better point
-  MINIMUM_EDGE,    ///< a point that helps would make an edge too short, by the minimum edge or, for the sake of an angle, by the spacing
+  /// a point that helps would make an edge too short, by the minimum edge or, for the sake of an angle, by the spacing
+  MINIMUM_EDGE,
   NO_BETTER_POINT, ///< none of the positions tried was acceptable, for another reason than these
   VERTEX_LIMIT,    ///< the maximum number of vertices was reached
   STOPPED          ///< the visitor stopped the refinement
@@ -70,9 +71,12 @@ struct Parametric_surface_mesh_report
   std::size_t number_of_vertices = 0;
   std::size_t number_of_faces = 0;
   std::size_t number_of_boundary_edges = 0; ///< of the division
-  std::size_t number_of_split_boundary_edges = 0; ///< how often the division was refined because its straight segments crossed
-  std::size_t number_of_edges_split_by_closeness = 0; ///< how often a piece of the division was halved because its face is narrow there, or its neighbour short
-  std::size_t number_of_replaced_tensors = 0; ///< points where the parametrisation is singular within an edge length, and chords gave the tensor in place of derivatives
+  /// how often the division was refined because its straight segments crossed
+  std::size_t number_of_split_boundary_edges = 0;
+  /// how often a piece of the division was halved because its face is narrow there, or its neighbour short
+  std::size_t number_of_edges_split_by_closeness = 0;
+  /// points where the parametrisation is singular within an edge length, and chords gave the tensor in place of derivatives
+  std::size_t number_of_replaced_tensors = 0;
   std::size_t number_of_collapsed_faces = 0; ///< triangles on collapsed sides, which have no area and are left out
   double smallest_angle = 180;             ///< over all triangles
   double smallest_angle_off_boundary = 180; ///< over the triangles that are not boundary-limited

@@ -52,7 +52,8 @@ public:
     std::size_t source; ///< the vertex where its curves begin
     std::size_t target; ///< the vertex where its curves end
     bool is_collapsed = false; ///< whether it is a point in space
-    std::shared_ptr<const Space_curve> curve = nullptr; ///< the curve that is divided; without it, the image of the first use's curve
+    /// the curve that is divided; without it, the image of the first use's curve
+    std::shared_ptr<const Space_curve> curve = nullptr;
     double tolerance = 0; ///< how far apart its uses may be, if more than the model's tolerance
     double max_edge = 0;  ///< the longest edge of its division, if less than that of the criteria; 0 for none of its own
   };

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The middle of an edge, straight in the domain. A surface in other coordinates than those of its domain has overloads of this
-// and the next two functions.
+// The middle of an edge, straight in the domain. A surface in other coordinates than those of its domain has overloads of
+// this and the next two functions.
 template <class Surface, class Point_2>
 Point_2 edge_middle(const Surface&, const Point_2& p, const Point_2& q)
 {
@@ -64,7 +64,8 @@ bend however small the edges are: at a distance `r` the ratio is `L / 8r`. Close
 only the part of `H` along the surface normal counts. It is the same with edges at an end of which
 the first derivatives change, within the surface, by as much as they are over the length of the edge, and with edges between
 the ends of which the derivative along them changes by as much as it is at the slower end, as long as `H/L` is below 0.3:
-there the parametrisation is singular, or nearly so, or derivatives jump across a line, and edges bend however short they are.
+there the parametrisation is singular, or nearly so, or derivatives jump across a line, and edges bend however short
+they are.
 
 \tparam Surface_ a model of `ParametricSurface_3`
 \tparam MetricField a model of `ParametricSurfaceMetricField_2`

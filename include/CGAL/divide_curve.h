@@ -256,7 +256,8 @@ half is not shorter than `min_edge`.
 Two rules go beyond the paper, so that triangles along the curve can be well shaped: a piece is halved too while it is more
 than 1.4 times as long as `size` wants, and after that pieces more than twice as long as a neighbour are.
 
-Lengths are arc lengths in space, integrals of the speed's expansions in Legendre polynomials. A curve of length 0 (a collapsed side of a patch) is one piece.
+Lengths are arc lengths in space, integrals of the speed's expansions in Legendre polynomials. A curve of length 0 (a
+collapsed side of a patch) is one piece.
 
 \param curve the curve: a model of `ParametricCurve_3`
 \param criteria gives `max_edge`, `min_edge` (both must be set), `gamma` and the deviation measure

@@ -214,9 +214,10 @@ at the end of the vertices. So the mesh is always manifold; for triangles that s
 The model is checked by `validate()` first.
 
 \tparam ConcurrencyTag `Sequential_tag` (default), `Parallel_tag` or `Parallel_if_available_tag`. With threads the faces are
-meshed at the same time, the largest first, and so are the parts of large ones; the mesh is the same. It takes oneTBB (as for other CGAL packages, link with the
-target `CGAL::TBB_support`), surfaces and a sizing field that can be evaluated by several threads at a time, and
-the memory for the triangulations of as many faces as there are threads, and of all split ones. A visitor is called by one thread at a time.
+meshed at the same time, the largest first, and so are the parts of large ones; the mesh is the same. It takes oneTBB
+(as for other CGAL packages, link with the target `CGAL::TBB_support`), surfaces and a sizing field that can be
+evaluated by several threads at a time, and the memory for the triangulations of as many faces as there are threads,
+and of all split ones. A visitor is called by one thread at a time.
 \tparam Surface a model of `ParametricSurface_3`
 
 Criteria, mesh, named parameters, report and exceptions are as above; in addition:

@@ -32,9 +32,9 @@ struct Sewn_open_cascade_shape
 \ingroup PkgParametricSurfaceMesherOpenCascade
 
 joins the faces of a shape, by `BRepBuilderAPI_Sewing` of Open CASCADE: edges without a second face that are no farther apart
-than a tolerance become one, and the faces at them a shell. The faces of an IGES file have edges of their own, so that a solid
-comes as loose faces, and its mesh with as many borders; sewn, it is closed. The given shape is not changed. Numbers of faces
-and edges may change.
+than a tolerance become one, and the faces at them a shell. The faces of an IGES file have edges of their own, so that
+a solid comes as loose faces, and its mesh with as many borders; sewn, it is closed. The given shape is not changed.
+Numbers of faces and edges may change.
 
 \param shape a shape with faces
 \param tolerance the largest distance of edges that are joined

@@ -38,8 +38,8 @@ struct Evaluator
   Position position(const Plane_kernel::Point_2& p, double) const { return {at(p)}; }
 };
 
-// A rhombus whose short diagonal from (0, -1) to (0, 1) is an edge, with these indices of its corners. Vertices become those of
-// the boundary after it is made, as on the borders of the parts of a patch.
+// A rhombus whose short diagonal from (0, -1) to (0, 1) is an edge, with these indices of its corners. Vertices become those
+// of the boundary after it is made, as on the borders of the parts of a patch.
 std::vector<Vertex_handle> make_rhombus(Triangulation& t, const std::vector<std::size_t>& indices)
 {
   const std::vector<Plane_kernel::Point_2> corners = {{-2, 0}, {0, -1}, {2, 0}, {0, 1}};
@@ -93,8 +93,8 @@ TEST(Chord_splitter, leaves_chords_between_other_vertices)
   EXPECT_EQ((Chords{{1, 3}, {0, 2}}), chords);
 }
 
-// Both ends of the diagonal are one vertex of the mesh, as across a patch that is one edge wide between two sides of a seam. Its
-// middle is then joined to both, which is split in turn.
+// Both ends of the diagonal are one vertex of the mesh, as across a patch that is one edge wide between two sides of a seam.
+// Its middle is then joined to both, which is split in turn.
 TEST(Chord_splitter, splits_what_joins_a_vertex_to_itself)
 {
   Chords chords;

@@ -1,8 +1,8 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What comes out is the same in every face graph: arrays of a Surface_mesh that are filled, elements that are added one by one,
-// and triangles that share points.
+// What comes out is the same in every face graph: arrays of a Surface_mesh that are filled, elements that are added one by
+// one, and triangles that share points.
 #include <gtest/gtest.h>
 
 #include <CGAL/Polyhedron_3.h>

@@ -122,7 +122,8 @@ TEST(Vertex_insertion, is_that_of_CGAL)
   }
 }
 
-// Inner vertices are taken out, in every second case after it was undone, until those of the square and a few others are left.
+// Inner vertices are taken out, in every second case after it was undone, until those of the square and a few others are
+// left.
 TEST(Vertex_removal, leaves_a_triangulation)
 {
   Triangulation t;

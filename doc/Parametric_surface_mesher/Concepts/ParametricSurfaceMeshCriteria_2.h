@@ -3,7 +3,8 @@
 \cgalConcept
 
 What a mesh must meet: a model of `MeshingCriteria_2` but for the argument of `is_bad_object()`, which gives the test access
-to the patch. The usual way to a model of one's own is to derive from `CGAL::Parametric_surface_mesh_criteria` and its `Is_bad`.
+to the patch. The usual way to a model of one's own is to derive from `CGAL::Parametric_surface_mesh_criteria` and its
+`Is_bad`.
 
 \cgalHasModel `CGAL::Parametric_surface_mesh_criteria`
 */
@@ -19,9 +20,9 @@ public:
   - `CGAL::Mesh_2::Face_badness operator()(Face_handle f, Quality& q) const` evaluates the triangle `f`;
   - `CGAL::Mesh_2::Face_badness operator()(const Quality& q) const` tells from the quality alone.
 
-  Triangles that are `IMPERATIVELY_BAD` are refined before those that are `BAD`, and well-shaped ones last. Of a face handle it may use
-  `f->vertex(i)->point()`, a `CGAL::Parametric_point_2`, `f->vertex(i)->spacing()`, and `f->is_constrained(i)`, which tells whether
-  the edge opposite to vertex `i` is on the boundary.
+  Triangles that are `IMPERATIVELY_BAD` are refined before those that are `BAD`, and well-shaped ones last. Of a face
+  handle it may use `f->vertex(i)->point()`, a `CGAL::Parametric_point_2`, `f->vertex(i)->spacing()`, and
+  `f->is_constrained(i)`, which tells whether the edge opposite to vertex `i` is on the boundary.
   */
   template <class Oracle>
   class Is_bad;

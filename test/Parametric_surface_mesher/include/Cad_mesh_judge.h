@@ -1,7 +1,8 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Compares a mesh with the shape that it stands for, as a stranger would: by Open CASCADE, and without anything of this package.
+// Compares a mesh with the shape that it stands for, as a stranger would: by Open CASCADE, and without anything of this
+// package.
 #ifndef CAD_MESH_JUDGE_H
 #define CAD_MESH_JUDGE_H
 

@@ -93,8 +93,8 @@ bool has_bent_edges(const Charted_surface_3<Surface>& surface)
   return !surface.chart().is_identity() && surface.chart().keeps_domain_lines();
 }
 
-// Of an edge between two points of the chart, in the domain. Of a pole, a whole side of the domain, the point opposite to the
-// other end counts.
+// Of an edge between two points of the chart, in the domain. Of a pole, a whole side of the domain, the point opposite to
+// the other end counts.
 template <class Surface, class Point_2>
 Point_2 middle_in_domain(const Charted_surface_3<Surface>& surface, const Point_2& p, const Point_2& q)
 {

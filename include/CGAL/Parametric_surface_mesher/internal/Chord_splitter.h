@@ -40,7 +40,8 @@ class Chord_splitter
   Chords m_chords; // of the patch
   Vertex_insertion<Triangulation> m_insertion;
   bool m_has_copies = false; // of vertices: else no inner vertex is joined to two of them
-  std::map<std::pair<const void*, std::size_t>, Vertex_handle> m_spokes; // looked up, never run through: addresses decide nothing
+  // looked up, never run through: addresses decide nothing
+  std::map<std::pair<const void*, std::size_t>, Vertex_handle> m_spokes;
 
 public:
   Chord_splitter(Triangulation& triangulation, const Evaluator& evaluate, Chords& chords)

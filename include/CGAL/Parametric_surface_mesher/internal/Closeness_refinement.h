@@ -70,9 +70,9 @@ private:
 };
 
 // Where a face is narrower than the pieces of its boundary are long, triangles across it are flat, and no point inside can
-// help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop, and
-// those so much longer than the pieces across the face that triangles cannot grow from the ones to the others. The pieces at
-// the tip of a cusp stay. Where pieces cannot be halved, points are moved along the edges of the strip.
+// help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop,
+// and those so much longer than the pieces across the face that triangles cannot grow from the ones to the others. The
+// pieces at the tip of a cusp stay. Where pieces cannot be halved, points are moved along the edges of the strip.
 template <class Oracle>
 class Closeness_refinement
 {
@@ -280,8 +280,8 @@ private:
   }
 
   // The distance in space of the segment from the third corner of its triangle. (Not from its line: the triangles of a
-  // round hole's boundary are flat, but none of its points is close to another piece.) Where the triangle has the next segment
-  // for a side, that counts as a neighbour.
+  // round hole's boundary are flat, but none of its points is close to another piece.) Where the triangle has the next
+  // segment for a side, that counts as a neighbour.
   static double width(Vertex_handle v, Vertex_handle w, const Triangulation& triangulation)
   {
     Face_handle face;

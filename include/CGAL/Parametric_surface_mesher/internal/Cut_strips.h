@@ -26,8 +26,8 @@ points, which leave the parts. In a strip the points of the cut are inner vertic
 border, vertices that a strip shares with a part or another strip. Where a point of a cut lies on such a border it stays one
 of those that are fixed.
 
-The order of the work: `take_out()` for each part, at the same time if wanted; `connect()`; `triangulate()` for each strip, at
-the same time if wanted; `close()` for each part.
+The order of the work: `take_out()` for each part, at the same time if wanted; `connect()`; `triangulate()` for each
+strip, at the same time if wanted; `close()` for each part.
 */
 template <class Kernel>
 class Cut_strips

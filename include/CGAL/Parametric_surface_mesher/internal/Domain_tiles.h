@@ -69,8 +69,8 @@ private:
     return share > 0 ? (std::min)(std::size_t(share * double(n)), n - 1) : 0;
   }
 
-  // Of the wanted size, with the area of the face. By tensors, since the corners of a face that crosses a closed surface can be
-  // one point in space.
+  // Of the wanted size, with the area of the face. By tensors, since the corners of a face that crosses a closed surface can
+  // be one point in space.
   template <class Face_handle>
   static double number_of_equilateral_triangles(Face_handle face)
   {

@@ -123,7 +123,8 @@ private:
 
   // Whether edge `i` is an edge of two triangles of the part. Others are found by their vertices, together with those of
   // other parts: edges of the boundary, edges beside a collapsed triangle, and edges between two boundary vertices, which
-  // other parts might repeat. Side `k` of a triangle runs from corner `k` to the next one; edge `i` is opposite to corner `i`.
+  // other parts might repeat. Side `k` of a triangle runs from corner `k` to the next one; edge `i` is opposite to corner
+  // `i`.
   bool has_inner_twin(Face_handle face, int i) const
   {
     const bool v_is_inner = !face->vertex(Triangulation::ccw(i))->is_on_boundary(),

@@ -42,8 +42,8 @@ Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
   return result;
 }
 
-// From the divided boundary of a patch to its triangles: triangulation, refinement, improvement. A patch with poles is meshed
-// in the coordinates of a chart. Patches know nothing of each other until they are collected.
+// From the divided boundary of a patch to its triangles: triangulation, refinement, improvement. A patch with poles is
+// meshed in the coordinates of a chart. Patches know nothing of each other until they are collected.
 template <class Oracle, class Criteria, class Visitor>
 class Patch_mesher
 {

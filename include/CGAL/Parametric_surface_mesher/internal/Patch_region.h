@@ -39,7 +39,8 @@ double signed_area(const std::vector<Region_node<Kernel>>& loop)
   return sum;
 }
 
-// A patch, or what cuts have left of it: its boundary, the domain to the left, outer loop first, and the cells of the sketch.
+// A patch, or what cuts have left of it: its boundary, the domain to the left, outer loop first, and the cells of the
+// sketch.
 template <class Kernel>
 struct Patch_region
 {

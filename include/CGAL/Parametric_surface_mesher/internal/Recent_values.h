@@ -41,8 +41,8 @@ public:
   }
 
 private:
-  // by the upper bits of a product, as those of the mantissa have to count; the hash of the standard library takes as long as
-  // some of the functions
+  // by the upper bits of a product, as those of the mantissa have to count; the hash of the standard library takes as long
+  // as some of the functions
   std::size_t place(const Point_2& p) const
   {
     const std::uint64_t product = 0x9e3779b97f4a7c15u * (bits(p.x()) + 3 * bits(p.y()));

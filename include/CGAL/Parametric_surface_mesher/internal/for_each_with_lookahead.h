@@ -23,9 +23,9 @@ void prefetch(const T& object)
 #endif
 }
 
-// Visits the handles of a range in their order, each after `announce_early` and, some steps later, `announce` were called for
-// it: these prefetch what the visit will need, since sweeps over a large triangulation wait for memory half of their time.
-// No visit may change the range.
+// Visits the handles of a range in their order, each after `announce_early` and, some steps later, `announce` were called
+// for it: these prefetch what the visit will need, since sweeps over a large triangulation wait for memory half of their
+// time. No visit may change the range.
 template <class Handle, class Range, class AnnounceEarly, class Announce, class Visit>
 void for_each_with_lookahead(const Range& handles, const AnnounceEarly& announce_early, const Announce& announce,
                              const Visit& visit)

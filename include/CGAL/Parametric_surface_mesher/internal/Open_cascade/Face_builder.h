@@ -122,8 +122,8 @@ private:
       result.push_back({piece.edge, use.is_reversed != piece.match.is_reversed(), piece.match.reparametrized(use.curve)});
   }
 
-  // A pole of a sphere is none in its chart. Elsewhere, an edge that claims to be collapsed and is not: Open CASCADE's readers
-  // put such edges between curves that are periods apart, and Loop_closer brings these together.
+  // A pole of a sphere is none in its chart. Elsewhere, an edge that claims to be collapsed and is not: Open CASCADE's
+  // readers put such edges between curves that are periods apart, and Loop_closer brings these together.
   bool is_no_boundary(const Edge_use& use) const
   {
     const auto& edge = m_result.model.edges()[use.edge];
