@@ -120,8 +120,8 @@ TEST(Mesh_sizes, the_tip_of_a_cusp_is_one_triangle)
   EXPECT_LE(number_of_sharp_triangles(mesh, 15), 1u);
 }
 
-// Its sides have pieces of 0.15, opposite to each other: as long as that, triangles can have 38 degrees. How much is gained
-// depends on the diagonals of the rectangles between them, any of which is Delaunay; a tenth of the angle is lost at worst.
+// Its sides have pieces of 0.15, opposite to each other, which cannot be halved. Pieces of 0.115 have room, a third more, and
+// are moved against each other as far as that helps.
 TEST(Mesh_sizes, closeness_staggers_the_sides_of_a_strip)
 {
   const Sample flat = make_sample("flat");
@@ -133,8 +133,8 @@ TEST(Mesh_sizes, closeness_staggers_the_sides_of_a_strip)
       Mesh aligned, mesh;
       const double angle = add_patch(flat.surface, strip, criteria, aligned).smallest_angle;
       const Report report = add_patch(flat.surface, strip, Criteria(criteria).set_closeness(1.8), mesh);
-      EXPECT_GE(report.smallest_angle, 0.9 * angle) << width << " x " << strip_length;
-      EXPECT_LE(mesh.number_of_faces(), aligned.number_of_faces());
+      EXPECT_GE(report.smallest_angle, angle + 3) << width << " x " << strip_length;
+      EXPECT_LE(mesh.number_of_faces(), 1.35 * aligned.number_of_faces());
       best = (std::max)(best, report.smallest_angle - angle);
       for(const auto e : mesh.edges())
         if(mesh.is_border(e) && std::fabs(mesh.point(mesh.vertex(e, 0)).y() - mesh.point(mesh.vertex(e, 1)).y()) < 0.01) {
@@ -142,7 +142,7 @@ TEST(Mesh_sizes, closeness_staggers_the_sides_of_a_strip)
           EXPECT_LT(length(mesh, e), 2 * criteria.min_edge());
         }
     }
-  EXPECT_GT(best, 4);
+  EXPECT_GT(best, 6);
 }
 
 TEST(Mesh_sizes, closeness_keeps_the_minimum_edge)

@@ -392,7 +392,7 @@ TEST(Narrow_faces, a_lune_that_closes_a_sphere)
     = sewn(new Geom_SphericalSurface(gp_Ax3(), 10), {{0, end, -pi / 2, pi / 2}, {end, 2 * pi, -pi / 2, pi / 2}});
   const Meshed_shape meshed(shape);
   EXPECT_EQ(meshed.shape.closed_up.size(), 1u);
-  expect_sound(shape, meshed, 25);
+  expect_sound(shape, meshed, 20);
 }
 
 TEST(Narrow_faces, a_strip_that_closes_a_cylinder)

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -147,15 +148,27 @@ inline Kernel::Vector_3 direction(const Model& model, std::size_t face, const Mo
 // The corners of faces below a number of degrees: the sharpest of a face at a point.
 typedef std::map<std::pair<std::size_t, Kernel::Point_3>, double> Sharp_corners;
 
+// A loop without its poles: the edges on either side of one enclose a corner.
+inline std::vector<Model::Edge_use> without_poles(const Model& model, const std::vector<Model::Edge_use>& loop)
+{
+  std::vector<Model::Edge_use> result;
+  std::copy_if(loop.begin(), loop.end(), std::back_inserter(result),
+               [&](const Model::Edge_use& use) { return !model.edges()[use.edge].is_collapsed; });
+  return result;
+}
+
 // The angle is that between the tangents of the edges; or, where edges bend towards each other, that in which the nearest
 // points that a mesh may have on them are seen, those at the minimum edge.
 inline Sharp_corners sharp_corners(const Model& model, double degrees, double min_edge)
 {
   Sharp_corners result;
   for(std::size_t f = 0; f < model.faces().size(); ++f)
-    for(const auto& loop : model.faces()[f].loops)
+    for(const auto& whole_loop : model.faces()[f].loops) {
+      const std::vector<Model::Edge_use> loop = without_poles(model, whole_loop);
       for(std::size_t i = 0; i < loop.size(); ++i) {
         const auto &use = loop[i], &next = loop[(i + 1) % loop.size()];
+        if(use.edge == next.edge)
+          continue; // the two sides of a seam, with all of the face between them
         double corner = 180;
         for(const double distance : {0., min_edge})
           corner = (std::min)(corner, angle(direction(model, f, use, false, distance),
@@ -167,6 +180,7 @@ inline Sharp_corners sharp_corners(const Model& model, double degrees, double mi
           sharpest = (std::min)(sharpest, corner);
         }
       }
+    }
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Strip_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/Strip_staggering.h>
 #include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
 #include <CGAL/Parametric_surface_mesher/internal/name_face.h>
@@ -126,11 +127,45 @@ public:
       m_division.split(pieces);
       faces = m_division.faces_at(pieces);
     }
+    divide_strips();
     stagger_strips();
     return number_of_splits;
   }
 
 private:
+  void divide_strips()
+  {
+    std::set<std::size_t> done; // edges
+    for(std::size_t face : m_faces_with_strips)
+      with_name_of_face(m_division.model(), face, [&] { done.merge(divide_strips(face, done)); });
+  }
+
+  std::set<std::size_t> divide_strips(std::size_t face, const std::set<std::size_t>& done)
+  {
+    Strip_division<Division> divide(m_division, m_criteria.min_edge());
+    for_each_loop(face, [&](std::size_t l, const auto& segments, const auto& vertices, const auto& triangulation) {
+      for(std::size_t i = 0; i < vertices.size(); ++i) {
+        const Piece piece = m_division.piece(face, l, segments[i]);
+        if(done.count(piece.edge) == 0 && !is_used_twice(face, piece.edge))
+          collect_along_strip(piece, vertices[i], vertices[(i + 1) % vertices.size()], triangulation, divide);
+      }
+    });
+    return divide();
+  }
+
+  // if the piece ought to be halved, and cannot be
+  void collect_along_strip(const Piece& piece, Vertex_handle v, Vertex_handle w, const Triangulation& triangulation,
+                           Strip_division<Division>& divide) const
+  {
+    const double l = length(v, w), width = this->width(v, w, triangulation);
+    if(!(l < 2 * m_criteria.min_edge()))
+      return;
+    if(std::isinf(width))
+      divide.collect_in_corner(piece);
+    else if(l > m_criteria.closeness() * width && width > hopeless_share * m_criteria.min_edge())
+      divide.collect(piece);
+  }
+
   // Points of an edge are moved for the first face that asks for it.
   void stagger_strips()
   {

@@ -137,14 +137,16 @@ public:
   // at a parameter of the curve of an edge
   Point_3 point(std::size_t edge, double t) const { return m_divider.point(edge, t); }
 
-  // Moves points along an edge. \pre as many as before, and those at the ends stay
+  // Moves points along an edge, or puts others in their place. \pre those at the ends stay
   void set_parameters(std::size_t edge, const std::vector<double>& parameters)
   {
     Edge_division<Kernel>& division = m_divisions[edge];
+    division.points.resize(1);
     for(std::size_t i = 1; i + 1 < parameters.size(); ++i)
-      if(parameters[i] != division.parameters[i])
-        division.points[i] = m_divider.point(edge, parameters[i]);
+      division.points.push_back(m_divider.point(edge, parameters[i]));
+    division.points.push_back(m_model.vertices()[m_model.edges()[edge].target]);
     division.parameters = parameters;
+    number_vertices_first();
   }
 
   // Marks a piece, if it is at an end of its edge, as one that had better stay whole.

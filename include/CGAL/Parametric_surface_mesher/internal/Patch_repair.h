@@ -53,7 +53,8 @@ class Patch_repair
   };
 
   static constexpr double least_gain = 1.01; // of the squared sine
-  static constexpr double share_of_far_below = 0.6; // of the squared sine: 23 degrees, for a criterion of 30
+  static constexpr double share_of_far_below = 0.6;    // of the squared sine: 23 degrees, for a criterion of 30
+  static constexpr double share_of_needles = 0.46;     // 20 degrees
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
@@ -177,12 +178,13 @@ private:
   }
 
   // How many fail a criterion; one that fails another one than the angle counts more than a whole star that fails that. To
-  // raise a smallest angle far below the criterion, others beside the boundary may get below it: in the midst of the mesh
-  // there is a better way. Above `limit` the count may stop; else the state of all faces is known after it.
+  // raise a smallest angle far below the criterion, others beside the boundary may get below it; those in the midst of the
+  // mesh, where most often there is a better way, for that of a needle alone. Above `limit` the count may stop; else the state of all faces is known after it.
   template <class Faces>
   std::size_t number_of_failures(const Faces& faces, double squared_smallest_sine, std::size_t limit = std::size_t(-1)) const
   {
     const bool is_far_below = squared_smallest_sine < share_of_far_below * m_squared_sine_of_criterion;
+    const bool is_needle = squared_smallest_sine < share_of_needles * m_squared_sine_of_criterion;
     std::size_t result = 0;
     for(Face_handle face : faces) {
       if(face->state() == Face_state::GOOD)
@@ -191,7 +193,7 @@ private:
       face->set_state(found == Mesh_2::NOT_BAD ? Face_state::GOOD : Face_state::BLOCKED);
       if(found == Mesh_2::IMPERATIVELY_BAD)
         result += 1000;
-      else if(found == Mesh_2::BAD && !(is_far_below && is_beside_boundary(face)))
+      else if(found == Mesh_2::BAD && !is_needle && !(is_far_below && is_beside_boundary(face)))
         ++result;
       if(result > limit)
         break;

@@ -39,6 +39,8 @@ class Strip_staggering
     std::vector<std::pair<std::size_t, std::size_t>> sides; // of its triangles, opposite to it, by indices
   };
 
+  typedef std::map<std::size_t, std::vector<double>> Parameters; // of edges
+
   // The minimum alone would keep a row of points, each of which can but move with the others, where it is.
   struct Fan_quality
   {
@@ -47,12 +49,13 @@ class Strip_staggering
 
   static const int max_number_of_sweeps = 40;
   static constexpr double squared_sine_aimed_at = 0.33; // of 35 degrees
+  static constexpr double tolerated_loss = 0.8;         // of the smallest squared sine, for the sake of all others
 
   Division& m_division;
   std::size_t m_face;
   double m_min_edge;
   std::map<std::size_t, Point_3> m_points; // by their indices
-  std::map<std::size_t, std::vector<double>> m_parameters; // of the edges
+  Parameters m_parameters;
   std::vector<Slider> m_sliders;
 
 public:
@@ -81,22 +84,27 @@ public:
     }
   }
 
-  // Moves them, and returns the edges changed.
+  // Moves them, as long as the smallest angle of all does not lose much, and returns the edges changed.
   std::set<std::size_t> operator()()
   {
-    std::set<std::size_t> changed;
+    const Parameters old = m_parameters;
+    Parameters best = old;
+    const double least_sine = tolerated_loss * squared_smallest_sine();
     for(int sweep = 0; sweep < max_number_of_sweeps; ++sweep) {
       bool is_any_moved = false;
       for(const Slider& slider : m_sliders)
-        if(move(slider)) {
-          is_any_moved = true;
-          changed.insert(slider.edge);
-        }
+        is_any_moved |= move(slider);
       if(!is_any_moved)
         break;
+      if(squared_smallest_sine() >= least_sine)
+        best = m_parameters;
     }
-    for(std::size_t edge : changed)
-      m_division.set_parameters(edge, m_parameters.at(edge));
+    std::set<std::size_t> changed;
+    for(const auto& edge : best)
+      if(edge.second != old.at(edge.first)) {
+        m_division.set_parameters(edge.first, edge.second);
+        changed.insert(edge.first);
+      }
     return changed;
   }
 
@@ -129,6 +137,14 @@ private:
       }
     while(++face != first);
     return nearest < (std::min)(a, b);
+  }
+
+  double squared_smallest_sine() const
+  {
+    double result = 1;
+    for(const Slider& slider : m_sliders)
+      result = (std::min)(result, quality(slider, m_points.at(slider.index)).smallest);
+    return result;
   }
 
   Fan_quality quality(const Slider& slider, const Point_3& p) const
