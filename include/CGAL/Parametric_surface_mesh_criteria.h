@@ -147,8 +147,9 @@ public:
 
   /// how many times as long as a face is wide a piece of its boundary may be. Longer ones are halved, down to the minimum
   /// edge, and so are pieces more than 2.5 times as long as a neighbour on the loop, or longer than a piece across the face
-  /// by more than the distance between them. Where the minimum edge forbids more pieces, points are moved along narrow
-  /// faces to where they are opposite to the middles of pieces. The points of an edge stay the same for all its faces.
+  /// by more than the distance between them. Where halves would be shorter than the minimum edge, several pieces in
+  /// a row are replaced by as many more as have room, and points are moved along narrow faces to where they are opposite to
+  /// the middles of pieces. The points of an edge stay the same for all its faces.
   /// Narrow faces get triangles without small angles so, and more of them. Values around 1.8 leave room for angles of 30
   /// degrees. Default: 0, the division does not look at the width. \pre `c > 0`
   Parametric_surface_mesh_criteria& set_closeness(double c)
