@@ -53,8 +53,8 @@ class Patch_repair
   };
 
   static constexpr double least_gain = 1.01; // of the squared sine
-  static constexpr double share_of_far_below = 0.6;    // of the squared sine: 23 degrees, for a criterion of 30
-  static constexpr double share_of_needles = 0.46;     // 20 degrees
+  static constexpr double share_of_far_below = 0.6; // of the squared sine: 23 degrees, for a criterion of 30
+  static constexpr double share_of_needles = 0.46;  // 20 degrees
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
@@ -179,7 +179,8 @@ private:
 
   // How many fail a criterion; one that fails another one than the angle counts more than a whole star that fails that. To
   // raise a smallest angle far below the criterion, others beside the boundary may get below it; those in the midst of the
-  // mesh, where most often there is a better way, for that of a needle alone. Above `limit` the count may stop; else the state of all faces is known after it.
+  // mesh, where most often there is a better way, for that of a needle alone. Above `limit` the count may stop; else the
+  // state of all faces is known after it.
   template <class Faces>
   std::size_t number_of_failures(const Faces& faces, double squared_smallest_sine, std::size_t limit = std::size_t(-1)) const
   {
