@@ -6,36 +6,18 @@
 #include <CGAL/Metric_tensor_2.h>
 
 #include <CGAL/FPU.h>
-#include <CGAL/Interval_nt.h>
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
-#include <CGAL/Uncertain.h>
-#include <CGAL/determinant.h>
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
-
-// The in-circle determinant with |x|^2 replaced by x^T M x, on coordinates relative to `t`.
-// Positive iff `t` lies inside the ellipse through the counterclockwise `p`, `q`, `r`.
-template <class NT>
-Uncertain<Sign> sign_of_in_ellipse_determinant(const NT& px, const NT& py, const NT& qx, const NT& qy,
-                                               const NT& rx, const NT& ry, const NT& tx, const NT& ty,
-                                               const NT& e, const NT& f, const NT& g)
-{
-  const NT ax = px - tx, ay = py - ty;
-  const NT bx = qx - tx, by = qy - ty;
-  const NT cx = rx - tx, cy = ry - ty;
-  const NT f2 = f + f;
-  const NT az = ax * (e * ax + f2 * ay) + g * ay * ay;
-  const NT bz = bx * (e * bx + f2 * by) + g * by * by;
-  const NT cz = cx * (e * cx + f2 * cy) + g * cy * cy;
-  return CGAL_NTS sign(determinant(ax, ay, az, bx, by, bz, cx, cy, cz));
-}
 
 // The sum of four numbers that does not depend on their order, to the last bit:
 // rounding is fixed by adding in ascending order.
@@ -58,61 +40,85 @@ inline Metric_tensor_2 common_tensor(const Metric_tensor_2& m0, const Metric_ten
                          sum_in_sorted_order(m0.g(), m1.g(), m2.g(), m3.g()));
 }
 
-// The sign for the doubles given as exact input: intervals first, then an exact ring.
-template <class Point>
-Sign exact_sign_of_in_ellipse_determinant(const Point& p, const Point& q, const Point& r, const Point& t,
-                                          const Metric_tensor_2& m)
+/*
+The in-circle determinant with |x|^2 replaced by x^T M x, on coordinates relative to `t`: positive iff `t` lies inside the
+ellipse through the counterclockwise `p`, `q`, `r`. `f2`: twice the mixed coefficient
+*/
+template <class NT>
+struct In_ellipse_determinant
 {
+  const NT ax, ay, bx, by, cx, cy;
+
+  template <class Point>
+  In_ellipse_determinant(const Point& p, const Point& q, const Point& r, const Point& t)
+    : In_ellipse_determinant(p, q, r, NT(t.x()), NT(t.y()))
+  {}
+
+  NT value(const NT& e, const NT& f2, const NT& g) const
   {
-    typedef Interval_nt_advanced I;
-    Protect_FPU_rounding<true> upward;
-    const Uncertain<Sign> s = sign_of_in_ellipse_determinant<I>(p.x(), p.y(), q.x(), q.y(), r.x(), r.y(),
-                                                               t.x(), t.y(), m.e(), m.f(), m.g());
-    if(is_certain(s))
-      return get_certain(s);
+    const NT az = ax * (e * ax + f2 * ay) + g * ay * ay;
+    const NT bz = bx * (e * bx + f2 * by) + g * by * by;
+    const NT cz = cx * (e * cx + f2 * cy) + g * cy * cy;
+    return az * (bx * cy - by * cx) + bz * (cx * ay - cy * ax) + cz * (ax * by - ay * bx);
   }
-  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  typedef CGAL::internal::Exact_ring_selector<double>::Type E;
-  return get_certain(sign_of_in_ellipse_determinant<E>(E(p.x()), E(p.y()), E(q.x()), E(q.y()), E(r.x()), E(r.y()),
-                                                       E(t.x()), E(t.y()), E(m.e()), E(m.f()), E(m.g())));
-}
+
+private:
+  template <class Point>
+  In_ellipse_determinant(const Point& p, const Point& q, const Point& r, const NT& tx, const NT& ty)
+    : ax(NT(p.x()) - tx), ay(NT(p.y()) - ty), bx(NT(q.x()) - tx), by(NT(q.y()) - ty), cx(NT(r.x()) - tx), cy(NT(r.y()) - ty)
+  {}
+};
 
 /*
-The exact sign of the in-ellipse determinant of four points under their common tensor.
+The sign in floating point, or `ZERO` if that does not tell it.
 
-Semi-static filter. Let X, Y bound the relative coordinates and s = e X^2 + g Y^2. As the tensors are positive
-definite (Cauchy-Schwarz bounds the off-diagonal sum), each lifted coordinate is at most 2 s and the sum of the
-absolute values of all monomials at most 12 s X Y. A monomial passes through at most 4 (minor) + 12 (lifted
-coordinate; of these 6 for the sum of the tensors taken in another order than the sorted one) + 3 roundings,
-hence an error below 12 * 19 * 2^-53 s X Y < 2.54e-14 s X Y. The bound has room for its own rounding; near
-underflow or overflow the filter does not answer.
+Let X, Y bound the relative coordinates and s = e X^2 + g Y^2. As the tensors are positive definite (Cauchy-Schwarz bounds the
+off-diagonal sum), each lifted coordinate is at most 2 s and the sum of the absolute values of all monomials at most 12 s X Y.
+A monomial passes through at most 4 (minor) + 12 (lifted coordinate; of these 6 for the sum of the tensors taken in another
+order than the sorted one) + 3 roundings, each of half an epsilon, hence an error below 12 * 19 / 2 = 114 epsilons of s X Y.
+The bound has room for its own rounding; near underflow or overflow the filter does not answer.
 */
+template <class FT, class Point>
+Sign filtered_sign_of_in_ellipse(const Point& p, const Point& q, const Point& r, const Point& t, FT e, FT f2, FT g)
+{
+  const In_ellipse_determinant<FT> determinant(p, q, r, t);
+  const FT x = (std::max)((std::max)(std::fabs(determinant.ax), std::fabs(determinant.bx)), std::fabs(determinant.cx));
+  const FT y = (std::max)((std::max)(std::fabs(determinant.ay), std::fabs(determinant.by)), std::fabs(determinant.cy));
+  const FT scale = x * y * (e * x * x + g * y * y);
+  if(x * y > FT(1e-290) && scale > FT(1e-250) && scale < FT(1e250)) {
+    const FT value = determinant.value(e, f2, g), bound = FT(135 * std::numeric_limits<FT>::epsilon()) * scale;
+    if(value > bound)
+      return POSITIVE;
+    if(value < -bound)
+      return NEGATIVE;
+  }
+  return ZERO;
+}
+
+// The sign for the doubles given as exact input. Four points that were computed to lie on an ellipse miss it by rounding of
+// their coordinates: most often a longer significand tells the side. Those that do lie on it take exact numbers.
+template <class Point>
+Sign exact_sign_of_in_ellipse(const Point& p, const Point& q, const Point& r, const Point& t, const Metric_tensor_2& m)
+{
+  typedef long double L;
+  const Sign sign = filtered_sign_of_in_ellipse<L>(p, q, r, t, L(m.e()), 2 * L(m.f()), L(m.g()));
+  if(sign != ZERO)
+    return sign;
+  Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  typedef CGAL::internal::Exact_ring_selector<double>::Type E;
+  return CGAL::sign(In_ellipse_determinant<E>(p, q, r, t).value(E(m.e()), E(m.f()) + E(m.f()), E(m.g())));
+}
+
+// The exact sign of the in-ellipse determinant of four points under their common tensor.
 template <class Point>
 Sign sign_of_in_ellipse(const Point& p, const Point& q, const Point& r, const Point& t)
 {
   const Metric_tensor_2 &mp = p.tensor(), &mq = q.tensor(), &mr = r.tensor(), &mt = t.tensor();
-  const double ax = p.x() - t.x(), ay = p.y() - t.y();
-  const double bx = q.x() - t.x(), by = q.y() - t.y();
-  const double cx = r.x() - t.x(), cy = r.y() - t.y();
   const double e = (mp.e() + mq.e()) + (mr.e() + mt.e());
   const double f2 = 2 * ((mp.f() + mq.f()) + (mr.f() + mt.f()));
   const double g = (mp.g() + mq.g()) + (mr.g() + mt.g());
-  const double az = ax * (e * ax + f2 * ay) + g * ay * ay;
-  const double bz = bx * (e * bx + f2 * by) + g * by * by;
-  const double cz = cx * (e * cx + f2 * cy) + g * cy * cy;
-  const double det = az * (bx * cy - by * cx) + bz * (cx * ay - cy * ax) + cz * (ax * by - ay * bx);
-
-  const double x = (std::max)((std::max)(std::fabs(ax), std::fabs(bx)), std::fabs(cx));
-  const double y = (std::max)((std::max)(std::fabs(ay), std::fabs(by)), std::fabs(cy));
-  const double scale = x * y * (e * x * x + g * y * y);
-  if(x * y > 1e-290 && scale > 1e-250 && scale < 1e250) {
-    const double bound = 3e-14 * scale;
-    if(det > bound)
-      return POSITIVE;
-    if(det < -bound)
-      return NEGATIVE;
-  }
-  return exact_sign_of_in_ellipse_determinant(p, q, r, t, common_tensor(mp, mq, mr, mt));
+  const Sign sign = filtered_sign_of_in_ellipse<double>(p, q, r, t, e, f2, g);
+  return sign != ZERO ? sign : exact_sign_of_in_ellipse(p, q, r, t, common_tensor(mp, mq, mr, mt));
 }
 
 } // namespace internal
