@@ -3,27 +3,18 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CLOSENESS_REFINEMENT_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CLOSENESS_REFINEMENT_H
 
-#include <CGAL/Metric_tensor_2.h>
-#include <CGAL/Parametric_point_2.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
-#include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
-#include <CGAL/Parametric_surface_mesher/internal/Charted_surface_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_evaluator.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Strip_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/Strip_staggering.h>
-#include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
+#include <CGAL/Parametric_surface_mesher/internal/Triangulated_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/name_face.h>
-#include <CGAL/Parametric_surface_mesher/internal/triangulate_boundary.h>
-#include <CGAL/Parametric_surface_oracle_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -32,43 +23,6 @@
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
-
-// Evaluates the metric alone, each point of a face once.
-template <class Oracle>
-class Metric_evaluator
-{
-public:
-  typedef typename Oracle::Geom_traits Kernel;
-  typedef typename Kernel::Point_2 Point_2;
-  typedef typename Kernel::Point_3 Point_3;
-  typedef std::map<Point_2, Metric_tensor_2> Tensors;
-
-private:
-  const Oracle& m_oracle;
-  Tensors& m_tensors;
-
-public:
-  Metric_evaluator(const Oracle& oracle, Tensors& tensors) : m_oracle(oracle), m_tensors(tensors) {}
-
-  Evaluated_point<Kernel> operator()(const Point_2& uv, const Point_3& surface_point, double /* spacing */) const
-  {
-    const auto found = m_tensors.find(uv);
-    const Metric_tensor_2 tensor = found != m_tensors.end() ? found->second : m_tensors.emplace(uv, this->tensor(uv)).first->second;
-    return {{Parametric_point_2<Kernel>(uv, surface_point, tensor), Surface_jet_3<Kernel>(), false, false}, 0};
-  }
-
-private:
-  // A singular tensor would do for nothing here, and a round one is as good as any.
-  Metric_tensor_2 tensor(const Point_2& uv) const
-  {
-    const Metric_tensor_2 result = m_oracle.metric().tensor(m_oracle.surface().jet(uv.x(), uv.y()));
-    if(!std::isfinite(result.trace()))
-      throw_not_finite(m_oracle.surface(), uv);
-    return result.is_positive_definite() && result.determinant() > 1e-14 * result.trace() * result.trace()
-             ? result
-             : result + (result.trace() > 1e-90 ? 1e-6 * result.trace() : 1e-100) * Metric_tensor_2(1, 0, 1);
-  }
-};
 
 // Where a face is narrower than the pieces of its boundary are long, triangles across it are flat, and no point inside can
 // help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop,
@@ -80,9 +34,8 @@ class Closeness_refinement
   typedef Model_division<Oracle> Division;
   typedef typename Division::Kernel Kernel;
   typedef typename Division::Piece Piece;
-  typedef Charted_surface_3<typename Oracle::Surface> Surface;
-  typedef Parametric_surface_oracle_3<Surface, typename Oracle::Metric_field> Charted_oracle;
-  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef Triangulated_boundary<Oracle> Boundary;
+  typedef typename Boundary::Triangulation Triangulation;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Face_handle Face_handle;
 
@@ -102,12 +55,12 @@ class Closeness_refinement
   Division& m_division;
   const std::vector<Oracle>& m_oracles; // of the faces
   const Parametric_surface_mesh_criteria& m_criteria;
-  mutable std::vector<typename Metric_evaluator<Charted_oracle>::Tensors> m_tensors; // of the faces
-  mutable std::set<std::size_t> m_faces_with_strips; // narrower than pieces of their edges that cannot be halved
+  std::vector<Boundary> m_boundaries; // of the faces
+  std::set<std::size_t> m_faces_with_strips; // narrower than pieces of their edges that cannot be halved
 
 public:
   Closeness_refinement(Division& division, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria)
-    : m_division(division), m_oracles(oracles), m_criteria(criteria), m_tensors(oracles.size())
+    : m_division(division), m_oracles(oracles), m_criteria(criteria), m_boundaries(oracles.size())
   {}
 
   // returns how many pieces were halved
@@ -191,7 +144,7 @@ private:
     return std::count_if(uses.begin(), uses.end(), [=](const auto& use) { return use.face == face; }) > 1;
   }
 
-  void collect(std::size_t face, std::set<Piece>& pieces) const
+  void collect(std::size_t face, std::set<Piece>& pieces)
   {
     for_each_loop(face, [&](std::size_t l, const auto& segments, const auto& vertices, const auto& triangulation) {
       collect(face, l, segments, vertices, triangulation, pieces);
@@ -200,47 +153,16 @@ private:
 
   // Calls `function` with the number of each loop of a face, its segments and vertices, and a triangulation of all loops.
   template <class Function>
-  void for_each_loop(std::size_t face, const Function& function) const
+  void for_each_loop(std::size_t face, const Function& function)
   {
-    const Boundary_loops<Kernel> loops = m_division.boundary_loops(face);
-    const Surface surface(m_oracles[face].surface(), find_chart(m_oracles[face].surface(), loops));
-    const Charted_oracle oracle(surface, m_oracles[face].metric(), m_oracles[face].singular_points());
-    const Boundary_loops<Kernel> charted_loops = chart_loops(loops, surface.chart());
-    const Metric_evaluator<Charted_oracle> evaluator(oracle, m_tensors[face]);
-    Triangulation triangulation;
-    Boundary_triangulator<Kernel> triangulate(triangulation, charted_loops);
-    triangulate(evaluator);
-    auto vertices = triangulate.vertices().begin();
-    std::vector<std::vector<Vertex_handle>> vertices_of_loops;
-    for(const auto& loop : charted_loops) {
-      vertices_of_loops.emplace_back(vertices, vertices + loop.size());
-      vertices += loop.size();
-      set_spacings(vertices_of_loops.back());
-    }
-    for(std::size_t l = 0; l < loops.size(); ++l)
-      function(l, segments(loops[l], charted_loops[l].size()), vertices_of_loops[l], triangulation);
-  }
-
-  // Each vertex gets the length of the shorter of the pieces at it.
-  static void set_spacings(const std::vector<Vertex_handle>& loop)
-  {
-    const std::size_t n = loop.size();
-    for(std::size_t i = 0; i < n; ++i)
-      loop[i]->set_spacing((std::min)(length(loop[(i + n - 1) % n], loop[i]), length(loop[i], loop[(i + 1) % n])));
-  }
-
-  // The numbers of the segments of a loop in the domain; a chart leaves out those between copies of a pole.
-  static std::vector<std::size_t> segments(const std::vector<Boundary_vertex<Kernel>>& loop, std::size_t number_in_chart)
-  {
-    std::vector<std::size_t> result;
-    for(std::size_t i = 0; i < loop.size(); ++i)
-      if(number_in_chart == loop.size() || loop[i].index != loop[(i + 1) % loop.size()].index)
-        result.push_back(i);
-    return result;
+    Boundary& boundary = m_boundaries[face];
+    boundary.update(m_oracles[face], m_division.boundary_loops(face));
+    for(std::size_t l = 0; l < boundary.loops().size(); ++l)
+      function(l, boundary.loops()[l].segments, boundary.loops()[l].vertices, boundary.triangulation());
   }
 
   void collect(std::size_t face, std::size_t number, const std::vector<std::size_t>& segments,
-               const std::vector<Vertex_handle>& loop, const Triangulation& triangulation, std::set<Piece>& pieces) const
+               const std::vector<Vertex_handle>& loop, const Triangulation& triangulation, std::set<Piece>& pieces)
   {
     const std::size_t n = loop.size();
     for(std::size_t i = 0; i < n; ++i) {

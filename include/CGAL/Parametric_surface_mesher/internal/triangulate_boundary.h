@@ -23,6 +23,28 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
+// Tells all faces how many loops are around them, from outside inwards. Constraints are the loops.
+template <class Triangulation>
+void set_nesting_levels(Triangulation& triangulation)
+{
+  typedef typename Triangulation::Face_handle Face_handle;
+  const int unknown = 255;
+  for(Face_handle face : triangulation.all_face_handles())
+    face->set_nesting_level(unknown);
+  std::vector<Face_handle> level(1, triangulation.infinite_face()), next;
+  for(int depth = 0; !level.empty(); depth = (std::min)(depth + 1, unknown - 1), level.swap(next), next.clear())
+    while(!level.empty()) {
+      const Face_handle face = level.back();
+      level.pop_back();
+      if(face->nesting_level() != unknown)
+        continue;
+      face->set_nesting_level(depth);
+      for(int i = 0; i < 3; ++i)
+        if(face->neighbor(i)->nesting_level() == unknown)
+          (face->is_constrained(i) ? next : level).push_back(face->neighbor(i));
+    }
+}
+
 /*
 Triangulates the divided boundary of a patch: the division's segments become constraints, faces are marked as inside or
 outside the domain.
@@ -155,33 +177,13 @@ private:
 
   void mark_domain()
   {
-    set_nesting_levels();
+    set_nesting_levels(m_triangulation);
     std::vector<bool> is_checked(m_loops.size(), false);
     for_each_segment([&](std::size_t l, Vertex_handle a, Vertex_handle b) {
       if(!is_checked[l])
         check_nesting(l, a, b);
       is_checked[l] = true;
     });
-  }
-
-  // from outside inwards
-  void set_nesting_levels()
-  {
-    const int unknown = 255;
-    for(Face_handle face : m_triangulation.all_face_handles())
-      face->set_nesting_level(unknown);
-    std::vector<Face_handle> level(1, m_triangulation.infinite_face()), next;
-    for(int depth = 0; !level.empty(); depth = (std::min)(depth + 1, unknown - 1), level.swap(next), next.clear())
-      while(!level.empty()) {
-        const Face_handle face = level.back();
-        level.pop_back();
-        if(face->nesting_level() != unknown)
-          continue;
-        face->set_nesting_level(depth);
-        for(int i = 0; i < 3; ++i)
-          if(face->neighbor(i)->nesting_level() == unknown)
-            (face->is_constrained(i) ? next : level).push_back(face->neighbor(i));
-      }
   }
 
   void check_nesting(std::size_t l, Vertex_handle a, Vertex_handle b) const
