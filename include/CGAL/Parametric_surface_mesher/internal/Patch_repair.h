@@ -33,6 +33,8 @@ flipped and their inner vertices moved, where that raises the smallest angle aro
 from the surface. If neither helps a face that fails the angle, one of its inner vertices is taken out, on the same terms:
 beside a piece of boundary that is longer than the edges around, there often is one too many. The boundary stays. Most of
 these faces lie beside it, where a vertex is a little off the one place that suits its neighbours, or where fronts have met.
+Where they are many, it is the boundary that keeps them from being better, and small steps are made but around faces that
+fail a criterion.
 */
 template <class Evaluator, class IsBad>
 class Patch_repair
@@ -52,15 +54,20 @@ class Patch_repair
     double squared_sine;
   };
 
-  static constexpr double least_gain = 1.01; // of the squared sine
-  static constexpr double share_of_far_below = 0.6; // of the squared sine: 23 degrees, for a criterion of 30
+  // of the squared sine
+  static constexpr double least_gain = 1.01, least_gain_of_many = 1.2;
+  static constexpr double share_of_far_below = 0.6; // 23 degrees, for a criterion of 30
   static constexpr double share_of_needles = 0.46;  // 20 degrees
+
+  static constexpr double share_of_few = 0.1; // of the faces
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   const IsBad& m_is_bad;
   double m_squared_sine, m_squared_sine_of_criterion, m_squared_min_edge;
-  bool m_is_full; // of vertices: then none is removed, so that the limit stays to be seen
+  double m_least_gain = least_gain; // for the face that is repaired
+  bool m_are_poor_few = true;       // of the faces
+  bool m_is_full;                   // of vertices: then none is removed, so that the limit stays to be seen
   Star m_star;
   Kept_states<Face_handle> m_states;
   Face_turning<Evaluator> m_turn_over;
@@ -87,9 +94,7 @@ public:
   template <class GoFurther>
   void operator()(const GoFurther& go_further)
   {
-    for(Face_handle face : m_triangulation.finite_face_handles())
-      if(face->is_in_domain())
-        add_if_poor(face);
+    add_all_poor();
     if(m_queue.empty())
       return;
     for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
@@ -129,6 +134,17 @@ private:
     return is_collapsed(face) ? 1 : face_measures(face, m_evaluate.oracle().metric()).squared_smallest_sine;
   }
 
+  void add_all_poor()
+  {
+    std::size_t number_of_faces = 0;
+    for(Face_handle face : m_triangulation.finite_face_handles())
+      if(face->is_in_domain()) {
+        ++number_of_faces;
+        add_if_poor(face);
+      }
+    m_are_poor_few = double(m_queue.size()) < share_of_few * double(number_of_faces);
+  }
+
   void add_if_poor(Face_handle face)
   {
     if(is_poor(face) && m_waiting.insert(face).second)
@@ -138,6 +154,7 @@ private:
   // A vertex that has no better place is settled until its star changes.
   void repair(Face_handle face)
   {
+    m_least_gain = m_are_poor_few || is_at_failure(face) ? least_gain : least_gain_of_many;
     if(m_turn_over.is_inverted(face) && turn_over(face))
       return;
     for(int i = 0; i < 3; ++i)
@@ -155,6 +172,20 @@ private:
       for(int i = 0; i < 3; ++i)
         if(!face->vertex(i)->is_on_boundary() && remove_if_better(face->vertex(i)))
           return;
+  }
+
+  // Whether it has a vertex with a face that fails a criterion.
+  bool is_at_failure(Face_handle face) const
+  {
+    for(int i = 0; i < 3; ++i) {
+      auto around = m_triangulation.incident_faces(face->vertex(i));
+      const auto first = around;
+      do
+        if(around->is_in_domain() && around->state() == Face_state::BLOCKED)
+          return true;
+      while(++around != first);
+    }
+    return false;
   }
 
   bool turn_over(Face_handle face)
@@ -224,7 +255,7 @@ private:
     const auto& metric = m_evaluate.oracle().metric();
     const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
     const double worst = edge.worst_before(metric, sine);
-    if(!(edge.worst_after(metric, sine) > least_gain * worst) || !edge.is_valid())
+    if(!(edge.worst_after(metric, sine) > m_least_gain * worst) || !edge.is_valid())
       return false;
     const auto faces = edge.faces();
     const std::size_t failures = number_of_failures(faces, worst);
@@ -244,14 +275,14 @@ private:
     m_star.collect(vertex);
     const Point old_point = vertex->point();
     const double old_sine = m_star.squared_smallest_sine(old_point);
-    collect_candidates(vertex, least_gain * old_sine);
+    collect_candidates(vertex, m_least_gain * old_sine);
     std::size_t failures = 0;
     bool is_tried = false;
     for(const Candidate& candidate : m_candidates) {
       if(!m_star.is_around(candidate.position))
         continue;
       const Point point = m_evaluate.position(candidate.position, vertex->spacing()).point;
-      const double least = least_gain * old_sine;
+      const double least = m_least_gain * old_sine;
       if(!(m_star.squared_smallest_sine(point, least) > least) || !m_star.is_far_enough(point, old_point, m_squared_min_edge))
         continue;
       if(!is_tried) {
@@ -281,7 +312,7 @@ private:
     m_states.keep(m_star.faces());
     const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
     Vertex_removal<Triangulation> removal(m_triangulation, vertex);
-    if(removal.cut_ears(m_evaluate.oracle().metric(), sine, least_gain * worst)
+    if(removal.cut_ears(m_evaluate.oracle().metric(), sine, m_least_gain * worst)
        && is_better_without(vertex, removal, worst, failures)) {
       remove(vertex, removal);
       return true;
@@ -297,7 +328,7 @@ private:
     std::vector<Face_handle> faces = faces_without(vertex);
     return removal.with_last_face([&](Face_handle last) {
       faces.push_back(last);
-      return !is_collapsed(last) && !m_turn_over.is_inverted(last) && squared_sine(last) > least_gain * worst
+      return !is_collapsed(last) && !m_turn_over.is_inverted(last) && squared_sine(last) > m_least_gain * worst
              && number_of_failures(faces, worst, failures) <= failures;
     });
   }
