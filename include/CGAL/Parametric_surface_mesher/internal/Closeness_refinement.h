@@ -265,10 +265,7 @@ private:
     return (std::max)(in_domain, length(v, w));
   }
 
-  static double length(Vertex_handle v, Vertex_handle w)
-  {
-    return std::sqrt(squared_distance(v->point().surface_point(), w->point().surface_point()));
-  }
+  static double length(Vertex_handle v, Vertex_handle w) { return Boundary::length(v, w); }
 };
 
 } // namespace internal

@@ -105,6 +105,12 @@ public:
   const Triangulation& triangulation() const { return *m_triangulation; }
   const std::vector<Loop>& loops() const { return m_loops; }
 
+  // in space
+  static double length(Vertex_handle v, Vertex_handle w)
+  {
+    return std::sqrt(squared_distance(v->point().surface_point(), w->point().surface_point()));
+  }
+
 private:
   template <class Evaluator>
   void make(const Boundary_loops<Kernel>& loops, const Evaluator& evaluate)
@@ -209,11 +215,6 @@ private:
     const std::size_t n = loop.size();
     for(std::size_t i = 0; i < n; ++i)
       loop[i]->set_spacing((std::min)(length(loop[(i + n - 1) % n], loop[i]), length(loop[i], loop[(i + 1) % n])));
-  }
-
-  static double length(Vertex_handle v, Vertex_handle w)
-  {
-    return std::sqrt(squared_distance(v->point().surface_point(), w->point().surface_point()));
   }
 };
 
