@@ -33,8 +33,8 @@ flipped and their inner vertices moved, where that raises the smallest angle aro
 from the surface. If neither helps a face that fails the angle, one of its inner vertices is taken out, on the same terms:
 beside a piece of boundary that is longer than the edges around, there often is one too many. The boundary stays. Most of
 these faces lie beside it, where a vertex is a little off the one place that suits its neighbours, or where fronts have met.
-Where they are many, it is the boundary that keeps them from being better, and small steps are made but around faces that
-fail a criterion.
+Where they are many, it is the boundary that keeps them from being better, and small steps are made but for faces near the
+criterion of the angle, and around those that fail one.
 */
 template <class Evaluator, class IsBad>
 class Patch_repair
@@ -56,7 +56,8 @@ class Patch_repair
 
   // of the squared sine
   static constexpr double least_gain = 1.01, least_gain_of_many = 1.2;
-  static constexpr double share_of_far_below = 0.6; // 23 degrees, for a criterion of 30
+  static constexpr double share_of_near = 1.3;      // 35 degrees, for a criterion of 30
+  static constexpr double share_of_far_below = 0.6; // 23 degrees
   static constexpr double share_of_needles = 0.46;  // 20 degrees
 
   static constexpr double share_of_few = 0.1; // of the faces
@@ -154,7 +155,8 @@ private:
   // A vertex that has no better place is settled until its star changes.
   void repair(Face_handle face)
   {
-    m_least_gain = m_are_poor_few || is_at_failure(face) ? least_gain : least_gain_of_many;
+    const bool is_urgent = squared_sine(face) < share_of_near * m_squared_sine_of_criterion || is_at_failure(face);
+    m_least_gain = m_are_poor_few || is_urgent ? least_gain : least_gain_of_many;
     if(m_turn_over.is_inverted(face) && turn_over(face))
       return;
     for(int i = 0; i < 3; ++i)
