@@ -77,6 +77,13 @@ void check_same(const Result& a, const Result& b)
   }
 }
 
+// the division, with one copy of each pole
+template <class Surface>
+Boundary_loops boundary_of(const Surface& surface, const Domain& domain, const Criteria& criteria)
+{
+  return CGAL::Parametric_surface_mesher::internal::without_collapsed_sides(division(surface, domain, criteria));
+}
+
 // the seams and the boundary are those of the domain, whatever is split
 std::size_t number_of_holes(const Sample& sample) { return sample.domain.loops().size() - 1; }
 
@@ -100,7 +107,7 @@ TEST_P(Split_patch, is_as_good_as_whole)
   EXPECT_LE(split.number_of_parts, 4 * number_of_triangles / part_size);
   EXPECT_EQ(1u, whole.number_of_parts);
 
-  check_boundary(split.mesh, division(sample.surface, sample.domain, criteria));
+  check_boundary(split.mesh, boundary_of(sample.surface, sample.domain, criteria));
   check_topology(split.mesh, number_of_holes(sample));
 
   const CGAL::Triangle_mesh_quality q = CGAL::triangle_mesh_quality(split.mesh), q0 = CGAL::triangle_mesh_quality(whole.mesh);
@@ -124,7 +131,8 @@ TEST_P(Split_patch, is_the_same_on_any_number_of_threads)
   check_same(sequential, mesh_sample<CGAL::Parallel_tag>(sample, criteria, 4));
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, Split_patch, testing::Values("flat", "bend", "peak", "hole", "cap", "torus", "cyl", "skew", "stretch"),
+INSTANTIATE_TEST_SUITE_P(Samples, Split_patch, testing::Values("flat", "bend", "peak", "hole", "cap", "sphere", "torus", "cyl", "skew",
+                                                                       "stretch"),
                          [](const auto& info) { return info.param; });
 
 // Lines meet such a domain several times, and leave more than two parts.
@@ -192,13 +200,39 @@ TEST(Split_patch_of_odd_shape, finely_divided_hole)
   EXPECT_GT(CGAL::triangle_mesh_quality(split.mesh).mean_radius_ratio, 0.98);
 }
 
-// Poles make a chart.
-TEST(Split_patch_of_odd_shape, patch_with_poles_stays_whole)
+// One pole, all around which the patch lies; cuts are straight in its chart.
+TEST(Split_patch_of_odd_shape, hemisphere)
+{
+  const auto surface = CGAL::make_parametric_function_surface([](auto u, auto v) {
+    using std::cos;
+    using std::sin;
+    return CGAL::parametric_surface_point(cos(u) * cos(v), sin(u) * cos(v), sin(v));
+  });
+  const Domain domain = Domain::rectangle(0, 2 * CGAL_PI, 0, CGAL_PI / 2);
+  const Criteria criteria = Criteria().set_max_edge(0.03).set_part_size(part_size);
+  const Result split = mesh_patch(surface, domain, criteria),
+               whole = mesh_patch(surface, domain, Criteria(criteria).set_part_size(0));
+  EXPECT_GE(split.number_of_parts, 4u);
+  check_boundary(split.mesh, boundary_of(surface, domain, criteria));
+  check_topology(split.mesh, 0);
+  const CGAL::Triangle_mesh_quality q = CGAL::triangle_mesh_quality(split.mesh);
+  EXPECT_NEAR(2 * CGAL_PI, q.area, 2e-3); // the triangles lie inside
+  EXPECT_GT(q.min_angle, 36);
+  EXPECT_GT(q.mean_radius_ratio, 0.99);
+  EXPECT_NEAR(double(whole.report.number_of_faces), double(split.report.number_of_faces), 0.03 * double(whole.report.number_of_faces));
+  EXPECT_TRUE(split.report.unmet.empty());
+}
+
+// The field takes points of the domain, whatever the chart.
+TEST(Split_patch_of_odd_shape, sizing_field_of_a_patch_with_poles)
 {
   const Sample sphere = make_sample("sphere");
-  const Result result = mesh_sample(sphere, criteria_of(sphere, part_size));
-  EXPECT_EQ(1u, result.number_of_parts);
-  check_same(mesh_sample(sphere, criteria_of(sphere, 0)), result);
+  const auto field = [&](double u, double v) { return 0.02 + 0.012 * sphere.surface.point(u, v).x(); };
+  const Criteria criteria = Criteria().set_max_edge(0.1).set_part_size(part_size).set_sizing_field(field);
+  const Result split = mesh_sample(sphere, criteria), whole = mesh_sample(sphere, Criteria(criteria).set_part_size(0));
+  EXPECT_GE(split.number_of_parts, 3u);
+  EXPECT_NEAR(double(whole.report.number_of_faces), double(split.report.number_of_faces), 0.05 * double(whole.report.number_of_faces));
+  EXPECT_GT(split.report.smallest_angle, 36);
 }
 
 // A triangle that is reported fails what it is said to fail, and all that fail are reported.
@@ -306,9 +340,9 @@ TEST(Split_patch_report, error_in_a_part)
 }
 
 // Faces of a model are split, too; the mesh is closed, and each corner knows its place in its own domain.
-TEST(Split_patch_of_model, box_and_ring)
+TEST(Split_patch_of_model, all_around)
 {
-  for(const std::string name : {"box", "ring"}) {
+  for(const std::string name : {"box", "ring", "sphere", "cone"}) {
     SCOPED_TRACE(name);
     const Sample_model sample = make_sample_model(name);
     const Criteria criteria = Criteria().set_max_edge(sample.edge_length(30000)).set_part_size(2000);

@@ -161,6 +161,22 @@ Model disk_with_hole(double distance, double radius)
   return model;
 }
 
+// Three triangles of 30 degrees have room around the apex from a half-angle of 17.4 degrees on. The triangles next to these
+// are good as well.
+void expect_good_apex(int half_angle_in_degrees, Criteria criteria)
+{
+  const Patch patch = cone(half_angle_in_degrees, 2 * pi);
+  for(double max_edge = 0.04; max_edge < 0.3; max_edge *= 1.3)
+    for(int share : {5, 200}) {
+      SCOPED_TRACE("max_edge = " + std::to_string(max_edge) + ", min_edge = 1 / " + std::to_string(share) + " of it");
+      criteria.set_max_edge(max_edge).set_min_edge(max_edge / share);
+      const Meshed m = mesh_and_check(model_of_patches({patch}), criteria);
+      expect_topology(m, 1, 1, 1);
+      EXPECT_EQ(3u, number_of_triangles_at(m, Point_3(0, 0, 0)));
+      EXPECT_GE(smallest_angle_around(m, Point_3(0, 0, 0), 5 * max_edge / share), 30 - 1e-9);
+    }
+}
+
 } // namespace
 
 TEST_P(Cones, closed_around)
@@ -174,20 +190,15 @@ TEST_P(Cones, closed_around)
   }
 }
 
-// Three triangles of 30 degrees have room around the apex from a half-angle of 17.4 degrees on. The triangles next to these
-// are good as well.
 TEST_P(Pointed_cones, good_around_the_apex)
 {
-  const Patch patch = cone(GetParam(), 2 * pi);
-  for(double max_edge = 0.04; max_edge < 0.3; max_edge *= 1.3)
-    for(int share : {5, 200}) {
-      SCOPED_TRACE("max_edge = " + std::to_string(max_edge) + ", min_edge = 1 / " + std::to_string(share) + " of it");
-      const Meshed m
-        = mesh_and_check(model_of_patches({patch}), Criteria().set_max_edge(max_edge).set_min_edge(max_edge / share));
-      expect_topology(m, 1, 1, 1);
-      EXPECT_EQ(3u, number_of_triangles_at(m, Point_3(0, 0, 0)));
-      EXPECT_GE(smallest_angle_around(m, Point_3(0, 0, 0), 5 * max_edge / share), 30 - 1e-9);
-    }
+  expect_good_apex(GetParam(), Criteria());
+}
+
+// Cuts keep clear of it.
+TEST_P(Pointed_cones, good_around_the_apex_of_a_split_patch)
+{
+  expect_good_apex(GetParam(), Criteria().set_part_size(600));
 }
 
 INSTANTIATE_TEST_SUITE_P(Stress, Pointed_cones, testing::Values(18, 19, 20, 21, 22, 24, 26),

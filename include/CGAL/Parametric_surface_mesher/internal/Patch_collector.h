@@ -5,7 +5,7 @@
 
 #include <CGAL/Mesh_2/Face_badness.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
-#include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Charted_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Partial_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_chart_2.h>
@@ -16,8 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <unordered_map>
-#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -36,28 +34,17 @@ class Patch_collector
   typedef typename Part::Index Index;
 
   Triangulation& m_triangulation;
-  const Patch_chart_2<Kernel>& m_chart;
-  std::unordered_map<Vertex_handle, Point_2> m_boundary_points; // in the domain, of a patch with a chart
+  const Charted_boundary<Kernel>& m_boundary; // of the patch
   Part& m_part;
   Parametric_surface_mesh_report& m_report;
   double m_squared_sine = 1, m_squared_sine_off_boundary = 1; // of the smallest angles
 
 public:
   // \pre the part is empty
-  Patch_collector(Triangulation& triangulation, const Patch_chart_2<Kernel>& chart, Part& part,
+  Patch_collector(Triangulation& triangulation, const Charted_boundary<Kernel>& boundary, Part& part,
                   Parametric_surface_mesh_report& report)
-    : m_triangulation(triangulation), m_chart(chart), m_part(part), m_report(report)
+    : m_triangulation(triangulation), m_boundary(boundary), m_part(part), m_report(report)
   {}
-
-  // To be called for a patch with a chart: on the way through the chart the domain points of boundary vertices would be
-  // rounded.
-  void set_domain_points(const std::vector<Vertex_handle>& vertices, const Boundary_loops<Kernel>& loops)
-  {
-    auto vertex = vertices.begin();
-    for(const auto& loop : loops)
-      for(const Boundary_vertex<Kernel>& point : loop)
-        m_boundary_points.emplace(*vertex++, point.domain_point);
-  }
 
   // `refinement` tells which faces are bad and why they were left
   template <class Refinement>
@@ -94,7 +81,7 @@ private:
       vertex->set_index(Part::first_own_point + m_part.points.size());
       m_part.points.push_back(vertex->point().surface_point());
       if(keeps_domain_points)
-        m_part.domain_points.push_back(m_chart.domain_point(vertex->point().domain_point()));
+        m_part.domain_points.push_back(chart().domain_point(vertex->point().domain_point()));
     }
   }
 
@@ -132,19 +119,21 @@ private:
     return (v_is_inner && w_is_inner) || ((v_is_inner || w_is_inner) && !is_collapsed(face->neighbor(i)));
   }
 
+  const Patch_chart_2<Kernel>& chart() const { return m_boundary.chart(); }
+
   Point_2 domain_point(Vertex_handle vertex) const
   {
-    const auto found = m_boundary_points.find(vertex);
-    return found != m_boundary_points.end() ? found->second : m_chart.domain_point(vertex->point().domain_point());
+    const Point_2& z = vertex->point().domain_point();
+    return vertex->is_on_boundary() ? m_boundary.domain_point(z) : chart().domain_point(z);
   }
 
   // A pole is a side of the domain; of that side a triangle gets the point in the middle of its other corners.
   Point_2 corner_point(Face_handle face, int i) const
   {
     const Point_2 uv = domain_point(face->vertex(i));
-    if(!m_chart.is_pole(face->vertex(i)->point().domain_point()))
+    if(!chart().is_pole(face->vertex(i)->point().domain_point()))
       return uv;
-    return m_chart.on_collapsed_side(uv, midpoint(domain_point(face->vertex((i + 1) % 3)), domain_point(face->vertex((i + 2) % 3))));
+    return chart().on_collapsed_side(uv, midpoint(domain_point(face->vertex((i + 1) % 3)), domain_point(face->vertex((i + 2) % 3))));
   }
 
   template <class Refinement>

@@ -3,10 +3,10 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_MESHER_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_MESHER_H
 
-#include <CGAL/Bbox_2.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_oracle_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Charted_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/Charted_surface_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Chord_splitter.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
@@ -18,12 +18,10 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Phase_timer.h>
 #include <CGAL/Parametric_surface_mesher/internal/Pole_ring.h>
-#include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulate_boundary.h>
 
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -42,8 +40,8 @@ Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
   return result;
 }
 
-// From the divided boundary of a patch to its triangles: triangulation, refinement, improvement. A patch with poles is
-// meshed in the coordinates of a chart. Patches know nothing of each other until they are collected.
+// From the divided boundary of a patch, or of a part of one, to its triangles: triangulation, refinement, improvement. A patch
+// with poles is meshed in the coordinates of a chart. Patches know nothing of each other until they are collected.
 template <class Oracle, class Criteria, class Visitor>
 class Patch_mesher
 {
@@ -59,33 +57,25 @@ private:
   const Surface m_surface;
   const Charted_oracle m_oracle;
   const Criteria m_criteria;
-  const Boundary_loops<Kernel> m_loops; // in the domain
-  const Boundary_loops<Kernel> m_charted_loops;
+  const Charted_boundary<Kernel>& m_boundary; // of the patch
+  const Boundary_loops<Kernel> m_loops;       // in the chart
   const Evaluator m_evaluator;
   Visitor& m_visitor;
   Triangulation m_triangulation;
-  std::vector<typename Triangulation::Vertex_handle> m_boundary_vertices;
+  std::size_t m_number_of_boundary_vertices = 0;
   Refinement m_refine;
   const bool m_is_part;
   Parametric_surface_mesh_report m_report;
 
 public:
+  // `boundary`: of the patch; it stays where it is. `loops`: of the patch or the part, in the chart
   // \pre no segments of the loops cross
-  Patch_mesher(const Oracle& oracle, const Criteria& criteria, Boundary_loops<Kernel> loops, Visitor& visitor)
-    : m_surface(oracle.surface(), find_chart(oracle.surface(), loops)),
-      m_oracle(m_surface, oracle.metric(), oracle.singular_points()),
-      m_criteria(chart_criteria(criteria, m_surface.chart())),
-      m_loops(std::move(loops)), m_charted_loops(chart_loops(m_loops, m_surface.chart())),
-      m_evaluator(m_oracle, m_criteria, box_of_loops(m_charted_loops)),
-      m_visitor(visitor), m_refine(m_triangulation, m_evaluator, m_criteria, visitor), m_is_part(false)
-  {}
-
-  // A part of a patch without a chart. `box`: of the patch, where its surface may be evaluated.
-  Patch_mesher(const Oracle& oracle, const Criteria& criteria, Boundary_loops<Kernel> loops, Visitor& visitor,
-               const Bbox_2& box)
-    : m_surface(oracle.surface(), Patch_chart_2<Kernel>()), m_oracle(m_surface, oracle.metric(), oracle.singular_points()),
-      m_criteria(criteria), m_loops(std::move(loops)), m_charted_loops(m_loops), m_evaluator(m_oracle, m_criteria, box),
-      m_visitor(visitor), m_refine(m_triangulation, m_evaluator, m_criteria, visitor), m_is_part(true)
+  Patch_mesher(const Oracle& oracle, const Criteria& criteria, const Charted_boundary<Kernel>& boundary,
+               Boundary_loops<Kernel> loops, bool is_part, Visitor& visitor)
+    : m_surface(oracle.surface(), boundary.chart()), m_oracle(m_surface, oracle.metric(), oracle.singular_points()),
+      m_criteria(chart_criteria(criteria, boundary.chart())), m_boundary(boundary), m_loops(std::move(loops)),
+      m_evaluator(m_oracle, m_criteria, boundary.box()), m_visitor(visitor),
+      m_refine(m_triangulation, m_evaluator, m_criteria, visitor), m_is_part(is_part)
   {}
 
   // it refers to itself
@@ -118,10 +108,7 @@ public:
   Triangulation& triangulation() { return m_triangulation; }
   const Refinement& refinement() const { return m_refine; }
 
-  // the divided boundary, in the domain
-  const Boundary_loops<Kernel>& loops() const { return m_loops; }
-
-  std::size_t number_of_inner_vertices() const { return m_triangulation.number_of_vertices() - m_boundary_vertices.size(); }
+  std::size_t number_of_inner_vertices() const { return m_triangulation.number_of_vertices() - m_number_of_boundary_vertices; }
 
   // No two patches are to have the same chord. `chords`: what joins boundary vertices of the patch's shell.
   void split_chords(typename Indexed_mesh<Kernel>::Chords& chords)
@@ -141,9 +128,7 @@ public:
     report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
     Phase_timer timer(report.seconds.output);
     Partial_mesh<Kernel> part;
-    Patch_collector<Kernel> collect(m_triangulation, m_surface.chart(), part, report);
-    if(!m_surface.chart().is_identity())
-      collect.set_domain_points(m_boundary_vertices, without_collapsed_sides(m_loops));
+    Patch_collector<Kernel> collect(m_triangulation, m_boundary, part, report);
     collect(causes, mesh.keeps_domain_points, mesh.keeps_corner_points);
     return part;
   }
@@ -159,12 +144,12 @@ private:
 
   void triangulate()
   {
-    Boundary_triangulator<Kernel> triangulate(m_triangulation, m_charted_loops);
+    Boundary_triangulator<Kernel> triangulate(m_triangulation, m_loops);
     triangulate(m_evaluator);
     if(!m_is_part) // else they are counted for the patch
       m_report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
-    m_boundary_vertices = triangulate.vertices();
-    Pole_ring<Evaluator> insert_rings(m_triangulation, m_evaluator);
+    m_number_of_boundary_vertices = triangulate.vertices().size();
+    Pole_ring<Evaluator> insert_rings(m_triangulation, m_evaluator, m_boundary);
     insert_rings(m_loops);
   }
 };

@@ -5,6 +5,7 @@
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Charted_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Pointed_apex.h>
@@ -33,14 +34,15 @@ class Pole_ring
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
+  const Charted_boundary<Kernel>& m_boundary; // of the patch
   Vertex_insertion<Triangulation> m_insertion;
 
 public:
-  Pole_ring(Triangulation& triangulation, const Evaluator& evaluate)
-    : m_triangulation(triangulation), m_evaluate(evaluate), m_insertion(triangulation)
+  Pole_ring(Triangulation& triangulation, const Evaluator& evaluate, const Charted_boundary<Kernel>& boundary)
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_boundary(boundary), m_insertion(triangulation)
   {}
 
-  // `loops`: the divided boundary in the domain, where a pole is a segment between points of the same index
+  // `loops`: the divided boundary in the chart; of a part of the patch, maybe
   void operator()(const Boundary_loops<Kernel>& loops)
   {
     if(chart().is_identity())
@@ -48,13 +50,13 @@ public:
     for(const auto& loop : loops)
       for(std::size_t i = 0; i < loop.size(); ++i) {
         const std::size_t n = loop.size();
-        if(loop[i].index == loop[(i + 1) % n].index)
-          insert_ring(loop[i], loop[(i + n - 1) % n], loop[(i + 2) % n]);
+        if(chart().is_pole(loop[i].domain_point))
+          insert_ring(loop[i], loop[(i + n - 1) % n], loop[(i + 1) % n]);
       }
   }
 
 private:
-  const auto& chart() const { return m_evaluate.oracle().surface().chart(); }
+  const auto& chart() const { return m_boundary.chart(); }
 
   void insert_ring(const Boundary_point& pole, const Boundary_point& before, const Boundary_point& after)
   {
@@ -70,9 +72,9 @@ private:
     const double min_distance = (std::min)(0.5, 0.7 * angle / n) * radius;
     // around a pointed apex the triangles must stay as long as the first piece of the seam
     const bool is_pointed = is_all_around && angle / n < 0.91;
+    const Point_2 from = m_boundary.domain_point(before.domain_point), to = m_boundary.domain_point(after.domain_point);
     for(int k = 1; k < n; ++k)
-      insert(chart().chart_point(before.domain_point + double(k) / n * (after.domain_point - before.domain_point)), vertex,
-             radius, min_distance, is_pointed);
+      insert(chart().chart_point(from + double(k) / n * (to - from)), vertex, radius, min_distance, is_pointed);
   }
 
   Vertex_handle pole_vertex(std::size_t index) const

@@ -47,7 +47,8 @@ private:
   static const int number_of_slices = 512;
   static constexpr double smallest_cosine = 0.64; // of the angle with the perpendicular of the boundary: 50 degrees are left
   static constexpr double smallest_clearance = 0.7; // by the spacing
-  static const std::size_t least_number_of_pieces = 6;
+  static constexpr std::size_t least_number_of_pieces = 6;
+  static constexpr std::size_t reach_of_pole = 20;
 
   // the line a x + b y = offset
   struct Line
@@ -168,6 +169,8 @@ private:
     candidate.score = 0;
     for(std::size_t i = 0; i < crossings.size(); i += 2) {
       const Region_place &source = crossings[i].second, &target = crossings[i + 1].second;
+      if(is_close_to_pole(region, source) || is_close_to_pole(region, target))
+        return false;
       const double largest = (std::max)(squared_cosine(region, source, node(region, target).domain_point),
                                         squared_cosine(region, target, node(region, source).domain_point));
       if(largest > square(smallest_cosine))
@@ -177,6 +180,17 @@ private:
       candidate.ends.emplace_back(source, target);
     }
     return true;
+  }
+
+  // The triangles around a pole are laid with care, and stay. Counts edges along the boundary.
+  bool is_close_to_pole(const Region& region, const Region_place& place) const
+  {
+    const auto& chart = m_evaluate.oracle().surface().chart();
+    const std::size_t n = region.loops[place.loop].size(), reach = (std::min)(reach_of_pole, n / 2);
+    for(std::size_t i = 0; i <= 2 * reach; ++i)
+      if(chart.is_pole(region.loops[place.loop][(place.number + n - reach + i) % n].domain_point))
+        return true;
+    return false;
   }
 
   static double cross(const Vector_2& a, const Vector_2& b) { return a.x() * b.y() - a.y() * b.x(); }

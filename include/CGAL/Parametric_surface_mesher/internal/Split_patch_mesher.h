@@ -3,9 +3,9 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SPLIT_PATCH_MESHER_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SPLIT_PATCH_MESHER_H
 
-#include <CGAL/Bbox_2.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/Charted_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/Cut_strips.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_mesher.h>
@@ -34,7 +34,8 @@ Meshes a patch: whole or, if it is large, cut into parts that are meshed at the 
 the cuts are improved once more with the points of the cuts as inner vertices, so that no trace of them is left. The mesh
 depends neither on the number of threads nor on their order.
 
-A patch with a chart stays whole, as does one whose loops touch, and one that may have as many vertices as are allowed.
+Patches with a singular point that have no chart stay whole, as do those whose loops touch, and those that may have as many
+vertices as are allowed.
 */
 template <class Oracle, class Criteria, class Visitor>
 class Split_patch_mesher
@@ -75,7 +76,7 @@ class Split_patch_mesher
 
   const Oracle& m_oracle;
   const Criteria m_criteria;
-  const Loops m_loops;
+  const Charted_boundary<Kernel> m_boundary;
   Visitor& m_visitor;
   std::vector<std::unique_ptr<Mesher>> m_parts; // with the strips, in the end
   bool m_is_whole = false;                      // then there is one part
@@ -86,9 +87,13 @@ class Split_patch_mesher
 
 public:
   // \pre no segments of the loops cross
-  Split_patch_mesher(const Oracle& oracle, const Criteria& criteria, Loops loops, Visitor& visitor)
-    : m_oracle(oracle), m_criteria(criteria), m_loops(std::move(loops)), m_visitor(visitor)
+  Split_patch_mesher(const Oracle& oracle, const Criteria& criteria, const Loops& loops, Visitor& visitor)
+    : m_oracle(oracle), m_criteria(criteria), m_boundary(oracle.surface(), loops), m_visitor(visitor)
   {}
+
+  // it refers to itself
+  Split_patch_mesher(const Split_patch_mesher&) = delete;
+  Split_patch_mesher& operator=(const Split_patch_mesher&) = delete;
 
   template <class ConcurrencyTag>
   void run()
@@ -99,13 +104,10 @@ public:
     m_shared.clear();
     m_is_whole = true;
     m_report.number_of_replaced_tensors = 0; // of the sketch
-    m_parts.push_back(std::make_unique<Mesher>(m_oracle, m_criteria, m_loops, m_visitor));
+    m_parts.push_back(std::make_unique<Mesher>(m_oracle, m_criteria, m_boundary, m_boundary.loops(), false, m_visitor));
     (*m_parts.front())();
     m_number_of_inner_vertices = m_parts.front()->number_of_inner_vertices();
   }
-
-  // the divided boundary, in the domain
-  const Loops& loops() const { return m_loops; }
 
   std::size_t number_of_inner_vertices() const { return m_number_of_inner_vertices; }
 
@@ -132,7 +134,7 @@ public:
         continue;
       vertex.index = mesh.points.size();
       mesh.points.push_back(vertex.surface_point);
-      mesh.domain_points.push_back(vertex.domain_point);
+      mesh.domain_points.push_back(m_boundary.domain_point(vertex.domain_point));
     }
     for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) {
       if(!m_is_whole)
@@ -169,11 +171,11 @@ private:
   bool may_be_split() const
   {
     const double number_of_edges = double(number_of_boundary_vertices());
-    if(m_criteria.part_size() == 0 || !m_oracle.singular_points().empty()
+    if(m_criteria.part_size() == 0 || (m_boundary.chart().is_identity() && !m_oracle.singular_points().empty())
        || 0.5 * number_of_edges * number_of_edges < double(m_criteria.part_size()))
       return false;
     std::set<typename Kernel::Point_2> points;
-    for(const auto& loop : m_loops)
+    for(const auto& loop : m_boundary.loops())
       for(const auto& vertex : loop)
         if(!points.insert(vertex.domain_point).second)
           return false;
@@ -193,11 +195,10 @@ private:
     const double total = std::accumulate(weights.begin(), weights.end(), 0.);
     if(total / 2 > 2 * double(m_criteria.max_number_of_vertices()))
       return false;
-    const Bbox_2 box = box_of_loops(m_loops);
     m_first_index = parts->first_index();
     m_parts.resize(weights.size());
     for_each_by_weight<ConcurrencyTag>(weights, [&](std::size_t i) {
-      m_parts[i] = make_mesher(parts->regions()[i].boundary_loops(), 0.9 * weights[i] / total, box);
+      m_parts[i] = make_mesher(parts->regions()[i].boundary_loops(), 0.9 * weights[i] / total);
       (*m_parts[i])();
     });
     for(const auto& part : m_parts) {
@@ -207,7 +208,7 @@ private:
     if(m_is_stopped)
       share_cuts(*parts);
     else
-      join_parts<ConcurrencyTag>(*parts, box);
+      join_parts<ConcurrencyTag>(*parts);
     for(const Shared_vertex& vertex : m_shared)
       m_number_of_inner_vertices += vertex.index != not_shared;
     return m_number_of_inner_vertices + number_of_boundary_vertices() < m_criteria.max_number_of_vertices();
@@ -216,25 +217,26 @@ private:
   std::unique_ptr<Patch_parts<Kernel>> split()
   {
     Phase_timer timer(m_report.seconds.triangulation);
-    const typename Mesher::Surface surface(m_oracle.surface(), Patch_chart_2<Kernel>());
-    const typename Mesher::Charted_oracle oracle(surface, m_oracle.metric());
-    const Evaluator evaluate(oracle, m_criteria, box_of_loops(m_loops));
+    const typename Mesher::Surface surface(m_oracle.surface(), m_boundary.chart());
+    const typename Mesher::Charted_oracle oracle(surface, m_oracle.metric(), m_oracle.singular_points());
+    const Criteria criteria = chart_criteria(m_criteria, m_boundary.chart());
+    const Evaluator evaluate(oracle, criteria, m_boundary.box());
     const double coarseness = (std::max)(2., std::sqrt(double(m_criteria.part_size()) / triangles_of_part_in_sketch));
-    const Patch_sketch<Evaluator> sketch(evaluate, m_criteria, m_loops, coarseness);
+    const Patch_sketch<Evaluator> sketch(evaluate, criteria, m_boundary.loops(), coarseness);
     m_report.number_of_replaced_tensors = sketch.number_of_replaced_tensors();
-    return std::make_unique<Patch_parts<Kernel>>(evaluate, sketch, m_loops, double(m_criteria.part_size()));
+    return std::make_unique<Patch_parts<Kernel>>(evaluate, sketch, m_boundary.loops(), double(m_criteria.part_size()));
   }
 
   // `share`: of the time for improvement
-  std::unique_ptr<Mesher> make_mesher(Loops loops, double share, const Bbox_2& box) const
+  std::unique_ptr<Mesher> make_mesher(Loops loops, double share) const
   {
     Criteria criteria = m_criteria;
     criteria.set_improvement_time(share * m_criteria.improvement_time());
-    return std::make_unique<Mesher>(m_oracle, criteria, std::move(loops), m_visitor, box);
+    return std::make_unique<Mesher>(m_oracle, criteria, m_boundary, std::move(loops), true, m_visitor);
   }
 
   template <class ConcurrencyTag>
-  void join_parts(const Patch_parts<Kernel>& parts, const Bbox_2& box)
+  void join_parts(const Patch_parts<Kernel>& parts)
   {
     std::vector<Triangulation*> triangulations;
     for(const auto& part : m_parts)
@@ -245,7 +247,7 @@ private:
     std::vector<std::unique_ptr<Mesher>> meshers(strips.sizes().size()); // of the strips
     std::vector<std::size_t> numbers(meshers.size()), numbers_taken(m_parts.size());
     for_each_by_weight<ConcurrencyTag>(strips.sizes(), [&](std::size_t i) {
-      meshers[i] = make_mesher({}, 0.1 / double(meshers.size()), box);
+      meshers[i] = make_mesher({}, 0.1 / double(meshers.size()));
       const std::size_t number_on_border = strips.triangulate(i, meshers[i]->triangulation());
       meshers[i]->refine_and_improve(false);
       numbers[i] = meshers[i]->number_of_inner_vertices() - number_on_border;
@@ -283,7 +285,7 @@ private:
   std::size_t number_of_boundary_vertices() const
   {
     std::size_t result = 0;
-    for(const auto& loop : m_loops)
+    for(const auto& loop : m_boundary.loops())
       result += loop.size();
     return result;
   }
