@@ -198,7 +198,7 @@ public:
     return *this;
   }
 
-  /// a limit of the processor time spent on the improvement of each patch, in seconds, after which no sweep begins and no
+  /// a limit of the time spent on the improvement of each patch, in seconds, after which no sweep begins and no
   /// triangle is improved; with it the mesh depends on the speed of the machine. Default: none. \pre `seconds >= 0`
   Parametric_surface_mesh_criteria& set_improvement_time(double seconds)
   {

@@ -46,7 +46,7 @@ struct Parametric_surface_mesh_report
     std::string reason; ///< the error that it causes
   };
 
-  /// processor time in seconds of each phase, of all threads together.
+  /// time in seconds that was spent on each phase, by all threads together; if others use the processor, it counts, too.
   struct Seconds
   {
     double division = 0, triangulation = 0, refinement = 0, improvement = 0, output = 0;

@@ -239,6 +239,26 @@ TEST(In_ellipse_predicate, cocircular_points_are_on_the_boundary)
   }
 }
 
+// with sides along the axes, to which the mixed coefficient alone gives a sign; and such rectangles without area
+TEST(In_ellipse_predicate, corners_of_rectangles)
+{
+  Random_input random(31);
+  std::array<int, 3> numbers = {0, 0, 0}; // of signs
+  for(int i = 0; i < 5000; ++i) {
+    const double x0 = random.real(-5, 5), y0 = random.real(-5, 5), x1 = i % 50 == 0 ? x0 : random.real(-5, 5),
+                 y1 = i % 50 == 1 ? y0 : random.real(-5, 5);
+    const double f = random.integer(-1, 1) * std::pow(10., -random.integer(1, 40));
+    std::array<Tensor, 4> m;
+    for(Tensor& tensor : m)
+      tensor = Tensor(random.real(1, 5), f, random.real(1, 5));
+    const Quadruple q = {make_point(x0, y0, m[0]), make_point(x1, y0, m[1]), make_point(x1, y1, m[2]), make_point(x0, y1, m[3])};
+    expect_exact(q);
+    ++numbers[std::size_t(rational_sign(q) + 1)];
+  }
+  for(int number : numbers)
+    EXPECT_GT(number, 1000);
+}
+
 TEST(In_ellipse_predicate, cocircular_points_at_extreme_scales)
 {
   const Cocircular_points cocircular;

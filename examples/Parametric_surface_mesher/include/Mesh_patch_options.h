@@ -71,7 +71,7 @@ const char* const conclusion =
   "  model_border_edges, model_seams, model_nonmanifold_edges     edges of the model that are\n"
   "                                used once, twice by one face, three times or more\n"
   "  model_poles                   collapsed edges, which none of the other numbers counts\n"
-  "  seconds                       processor time of each phase; `meshing` is their sum,\n"
+  "  seconds                       time of each phase; `meshing` is their sum,\n"
   "                                without reading, measuring and writing\n"
   "\n"
   "In --uv and --uv-picture the patches of a model lie side by side, uv_columns (of --json) in a\n"

@@ -84,11 +84,12 @@ public:
       for(std::size_t i = 0; i < m_loops[l].size(); ++i)
         boxes.push_back(Box(segment({l, i}).bbox(), Segment_id(l, i)));
     std::vector<Crossing> result;
+    const std::ptrdiff_t cutoff = 500; // boxes that are scanned, without a tree
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
       const Crossing pair = std::minmax(a.info(), b.info());
       if(cross(pair.first, pair.second))
         result.push_back(pair);
-    });
+    }, cutoff);
     std::sort(result.begin(), result.end());
     return result;
   }

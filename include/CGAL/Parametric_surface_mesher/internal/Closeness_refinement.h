@@ -165,17 +165,23 @@ private:
                const std::vector<Vertex_handle>& loop, const Triangulation& triangulation, std::set<Piece>& pieces)
   {
     const std::size_t n = loop.size();
+    std::vector<double> lengths(n), sizes(n);
     for(std::size_t i = 0; i < n; ++i) {
-      const Vertex_handle v = loop[i], w = loop[(i + 1) % n];
-      const double l = length(v, w);
+      lengths[i] = length(loop[i], loop[(i + 1) % n]);
+      sizes[i] = graded_size(loop[i], triangulation);
+    }
+    for(std::size_t i = 0; i < n; ++i) {
+      const std::size_t next = (i + 1) % n;
+      const Vertex_handle v = loop[i], w = loop[next];
+      const double l = lengths[i];
       if(!(l >= 2 * m_criteria.min_edge())) {
         if(l > width(v, w, triangulation))
           m_faces_with_strips.insert(face);
         continue;
       }
-      const double neighbor = (std::min)(length(loop[(i + n - 1) % n], v), length(w, loop[(i + 2) % n]));
+      const double neighbor = (std::min)(lengths[(i + n - 1) % n], lengths[next]);
       if(is_longer(l, max_ratio * neighbor) || is_longer(l, m_criteria.closeness() * width(v, w, triangulation))
-         || l > (std::min)(graded_size(v, triangulation), graded_size(w, triangulation))) {
+         || l > (std::min)(sizes[i], sizes[next])) {
         const Piece piece = m_division.piece(face, number, segments[i]);
         if(m_division.can_be_split(piece))
           pieces.insert(piece);
@@ -184,8 +190,8 @@ private:
     for(std::size_t i = 0; i < n; ++i) {
       const std::size_t before = (i + n - 1) % n;
       if(is_tip(loop[before], loop[i], loop[(i + 1) % n], triangulation))
-        even_out_tip({m_division.piece(face, number, segments[before]), length(loop[before], loop[i])},
-                     {m_division.piece(face, number, segments[i]), length(loop[i], loop[(i + 1) % n])}, pieces);
+        even_out_tip({m_division.piece(face, number, segments[before]), lengths[before]},
+                     {m_division.piece(face, number, segments[i]), lengths[i]}, pieces);
     }
   }
 

@@ -10,7 +10,6 @@
 #include <CGAL/Parametric_surface_mesher/internal/name_face.h>
 
 #include <cstddef>
-#include <numeric>
 #include <set>
 #include <vector>
 
@@ -36,19 +35,16 @@ class Crossing_refinement
 public:
   Crossing_refinement(Division& division, const std::vector<Oracle>& oracles) : m_division(division), m_oracles(oracles) {}
 
-  // returns how many pieces were halved
+  // Sees to the faces whose boundary has changed since it was called last. Returns how many pieces were halved.
   std::size_t operator()()
   {
     std::size_t number_of_splits = 0;
-    std::vector<std::size_t> faces(m_oracles.size());
-    std::iota(faces.begin(), faces.end(), 0);
-    while(!faces.empty()) {
+    for(auto faces = m_division.take_changed_faces(); !faces.empty(); faces = m_division.take_changed_faces()) {
       std::set<Piece> pieces;
       for(std::size_t face : faces)
         with_name_of_face(m_division.model(), face, [&] { collect(face, pieces); });
       number_of_splits += pieces.size();
       m_division.split(pieces);
-      faces = m_division.faces_at(pieces);
     }
     return number_of_splits;
   }

@@ -95,11 +95,26 @@ Sign filtered_sign_of_in_ellipse(const Point& p, const Point& q, const Point& r,
   return ZERO;
 }
 
-// The sign for the doubles given as exact input. Four points that were computed to lie on an ellipse miss it by rounding of
-// their coordinates: most often a longer significand tells the side. Those that do lie on it take exact numbers.
+// Whether `p`, `q`, `r`, `t` are, in this order, the corners of a rectangle with sides along the axes, the first one vertical.
+template <class Point>
+bool are_corners_of_rectangle(const Point& p, const Point& q, const Point& r, const Point& t)
+{
+  return p.x() == q.x() && q.y() == r.y() && r.x() == t.x() && t.y() == p.y() && p.x() != r.x() && p.y() != r.y();
+}
+
+/*
+The sign for the doubles given as exact input. Four points that were computed to lie on an ellipse miss it by rounding of
+their coordinates: most often a longer significand tells the side. Those that do lie on it take exact numbers; but for the
+corners of a rectangle, as there are many between two lines of the domain: its sides w and h leave `f2 w^2 h^2` of the
+determinant, with the other sign if the side from `t` to the next corner is horizontal.
+*/
 template <class Point>
 Sign exact_sign_of_in_ellipse(const Point& p, const Point& q, const Point& r, const Point& t, const Metric_tensor_2& m)
 {
+  if(are_corners_of_rectangle(t, p, q, r) || are_corners_of_rectangle(t, q, r, p) || are_corners_of_rectangle(t, r, p, q))
+    return CGAL::sign(m.f());
+  if(are_corners_of_rectangle(t, r, q, p) || are_corners_of_rectangle(t, p, r, q) || are_corners_of_rectangle(t, q, p, r))
+    return CGAL::sign(-m.f());
   typedef long double L;
   const Sign sign = filtered_sign_of_in_ellipse<L>(p, q, r, t, L(m.e()), 2 * L(m.f()), L(m.g()));
   if(sign != ZERO)

@@ -56,6 +56,7 @@ private:
   std::vector<std::size_t> m_first_inner_indices; // in the mesh, of the second points of the edges
   std::vector<std::size_t> m_vertex_indices;      // in the mesh
   std::size_t m_number_of_points = 0;
+  std::set<std::size_t> m_changed_edges; // see `take_changed_faces()`
 
 public:
   Model_division(const Model& model, const std::vector<Oracle>& oracles,
@@ -70,6 +71,7 @@ public:
         m_divisions[edge] = m_divider.divide(edge, least_numbers[edge]);
         m_divider.join_at_apexes(edge, least_numbers[edge], apexes, m_divisions[edge]);
       });
+    m_changed_edges.insert(uses().order().begin(), uses().order().end());
     number_vertices_first();
   }
 
@@ -146,6 +148,7 @@ public:
       division.points.push_back(m_divider.point(edge, parameters[i]));
     division.points.push_back(m_model.vertices()[m_model.edges()[edge].target]);
     division.parameters = parameters;
+    m_changed_edges.insert(edge);
     number_vertices_first();
   }
 
@@ -176,6 +179,17 @@ public:
       split(edge, numbers);
     }
     number_vertices_first();
+  }
+
+  // the faces with an edge that was divided, or divided anew, since this was called last
+  std::vector<std::size_t> take_changed_faces()
+  {
+    std::set<std::size_t> result;
+    for(std::size_t edge : m_changed_edges)
+      for(const auto& use : uses()[edge])
+        result.insert(use.face);
+    m_changed_edges.clear();
+    return std::vector<std::size_t>(result.begin(), result.end());
   }
 
   // the faces that use the edges of pieces
@@ -284,6 +298,7 @@ private:
     }
     division.parameters.swap(parameters);
     division.points.swap(points);
+    m_changed_edges.insert(edge);
   }
 
   // the points of a use but for its last one, which begins the next use

@@ -53,11 +53,11 @@ public:
   }
 
 private:
-  // tells whether there is time left; without a limit it does not ask the clock, which takes a tenth of the improvement
+  // tells whether there is time left; without a limit it does not ask the clock again
   auto clock() const
   {
     const double limit = m_criteria.improvement_time() - m_seconds_before;
-    return [limit, start = thread_seconds()] { return std::isinf(limit) || thread_seconds() - start < limit; };
+    return [limit, start = elapsed_seconds()] { return std::isinf(limit) || elapsed_seconds() - start < limit; };
   }
 };
 

@@ -18,6 +18,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Circ2d.hxx>
 
 #include <cmath>
 #include <memory>
@@ -86,6 +87,22 @@ inline bool is_segment(const Geom2dAdaptor_Curve& curve)
 }
 
 template <class Kernel>
+Domain_curve_2<Kernel> to_domain_curve(const gp_Circ2d& circle, const Unit_range& range)
+{
+  typedef typename Kernel::Vector_2 Vector_2;
+  const typename Kernel::Point_2 center(circle.Location().X(), circle.Location().Y());
+  const Vector_2 x(circle.Radius() * circle.XAxis().Direction().X(), circle.Radius() * circle.XAxis().Direction().Y()),
+    y(circle.Radius() * circle.YAxis().Direction().X(), circle.Radius() * circle.YAxis().Direction().Y());
+  return Domain_curve_2<Kernel>(
+    [=](double t) {
+      const double c = std::cos(range(t)), s = std::sin(range(t)), k = range.length();
+      const Vector_2 outward = c * x + s * y;
+      return typename Domain_curve_2<Kernel>::Jet{center + outward, k * (c * y - s * x), -k * k * outward};
+    },
+    0, 1);
+}
+
+template <class Kernel>
 Domain_curve_2<Kernel> to_domain_curve(const Handle(Geom2d_Curve)& pcurve, const Unit_range& range)
 {
   typedef Domain_curve_2<Kernel> Curve;
@@ -95,6 +112,8 @@ Domain_curve_2<Kernel> to_domain_curve(const Handle(Geom2d_Curve)& pcurve, const
   const auto point = [&](double t) { return Point_2(adaptor->Value(t).X(), adaptor->Value(t).Y()); };
   if(is_segment(*adaptor))
     return Curve::segment(point(range.first), point(range.last));
+  if(adaptor->GetType() == GeomAbs_Circle)
+    return to_domain_curve<Kernel>(adaptor->Circle(), range);
   return Curve(
     [adaptor, range](double t) {
       gp_Pnt2d p;
