@@ -14,6 +14,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Phase_timer.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_by_weight.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangles_by_boundary.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,7 @@ class Split_patch_mesher
   typedef Boundary_vertex<Kernel> Shared_vertex; // its index is that in the mesh, once it is there
 
   static constexpr double triangles_of_part_in_sketch = 300;
+  static constexpr double most_triangles_by_boundary = 3; // over the number that the boundary tells
   static const std::size_t not_shared = std::size_t(-1);
 
   // why triangles of a part, or a strip, were left bad: beside the boundary of the patch, or a cut
@@ -167,12 +169,16 @@ public:
   }
 
 private:
-  // Cheap tests. The number of triangles is bounded by that of the boundary's edges unless spacing is much smaller inside.
+  // Cheap tests. The number of triangles is bounded by that of the boundary's edges, and by their lengths, unless spacing is
+  // much smaller inside.
   bool may_be_split() const
   {
-    const double number_of_edges = double(number_of_boundary_vertices());
-    if(m_criteria.part_size() == 0 || (m_boundary.chart().is_identity() && !m_oracle.singular_points().empty())
-       || 0.5 * number_of_edges * number_of_edges < double(m_criteria.part_size()))
+    const double number_of_edges = double(number_of_boundary_vertices()), part_size = double(m_criteria.part_size());
+    const bool has_chart = !m_boundary.chart().is_identity();
+    if(part_size == 0 || (!has_chart && !m_oracle.singular_points().empty())
+       || 0.5 * number_of_edges * number_of_edges < part_size)
+      return false;
+    if(!has_chart && most_triangles_by_boundary * number_of_triangles_by_boundary(m_oracle, m_boundary.loops()) < part_size)
       return false;
     std::set<typename Kernel::Point_2> points;
     for(const auto& loop : m_boundary.loops())
