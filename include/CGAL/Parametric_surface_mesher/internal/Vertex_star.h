@@ -67,6 +67,7 @@ private:
   std::vector<int> m_numbers;             // of the centre in the faces
   std::vector<Vertex_handle> m_ring;      // face k has vertices k and k + 1
   std::vector<double> m_squared_lengths; // of the edges of the ring
+  std::size_t m_worst = 0;               // number of a triangle
 
 public:
   Vertex_star(const Triangulation& triangulation, const MetricField& metric) : m_triangulation(triangulation), m_metric(metric)
@@ -76,6 +77,7 @@ public:
   void collect(Vertex_handle vertex)
   {
     m_center = vertex;
+    m_worst = 0;
     m_faces.clear();
     m_numbers.clear();
     m_ring.clear();
@@ -106,13 +108,17 @@ public:
     return result;
   }
 
-  // of any angle; what is not above `least` need not be the smallest
-  double squared_smallest_sine(const Point& center, double least = 0) const
+  // Of any angle; what is not above `least` need not be the smallest. The triangle that was the worst is asked first.
+  double squared_smallest_sine(const Point& center, double least = 0)
   {
-    double result = 1, previous = m_metric.squared_length(center, ring_point(0));
-    for(std::size_t k = 0; k < m_ring.size() && result > least; ++k) {
+    double result = 1, previous = m_metric.squared_length(center, ring_point(m_worst));
+    for(std::size_t i = 0, k = m_worst; i < m_ring.size() && result > least; ++i, k = k + 1 < m_ring.size() ? k + 1 : 0) {
       const double next = m_metric.squared_length(center, ring_point(k + 1));
-      result = (std::min)(result, internal::squared_smallest_sine({m_squared_lengths[k], next, previous}));
+      const double sine = internal::squared_smallest_sine({m_squared_lengths[k], next, previous});
+      if(sine < result) {
+        result = sine;
+        m_worst = k;
+      }
       previous = next;
     }
     return result;
