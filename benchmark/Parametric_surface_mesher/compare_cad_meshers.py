@@ -8,10 +8,10 @@ Usage: compare_cad_meshers.py MESH_CAD FILE...
 MESH_CAD is the program. Gmsh and Netgen are those of the Python interpreter (Debian: python3-gmsh, python3-netgen, for
 /usr/bin/python3); one that is missing is left out. Sizes are between diagonal/1000 and diagonal/20 for all; Gmsh has 20
 elements per turn, Netgen a grading of 0.3 and 2 elements per edge and curvature radius (its smallest size cannot be set
-from Python). mesh_cad runs twice: with its
-defaults, and with wider bounds of the deviation; the ratios are to the run with the more similar number of triangles. Reading
-the file is not counted. Netgen reads STEP files only: Gmsh converts others. Each run has a process of its own and 120 seconds.
-The times are the least ones of three runs by turns; what takes more than ten seconds runs once.
+from Python). mesh_cad runs with its defaults and, for each of the others, with the bounds of the deviation that make it give
+as many triangles, within a few percent if that can be: the ratios are to these runs. Reading the file is not counted. Netgen
+reads STEP files only: Gmsh converts others. Each run has a process of its own and 120 seconds. The times are the least ones
+of three runs by turns; what takes more than ten seconds runs once.
 """
 import json
 import math
@@ -117,10 +117,28 @@ def describe(result):
     return result if isinstance(result, str) else "%d, %.2f s, %.1fk/s" % (result[0], result[1], result[0] / result[1] / 1e3)
 
 
-def ratio(runs, other):
-    """Triangles per second of the run most similar to `other`, over those of `other`."""
-    run = min(runs, key=lambda r: abs(math.log(r[0] / other[0])))
-    return run[0] / run[1] * other[1] / other[0]
+def bounds(coarseness):
+    """The options of mesh_cad for edges that deviate more than by default; with 1 it has its defaults."""
+    return ["--gamma", repr(0.05 * coarseness), "--relative-distance", repr(0.0005 * coarseness ** 2)]
+
+
+def coarseness_for(program, name, number):
+    """With which mesh_cad gives about that many triangles, by bisection of the logarithm."""
+    low, high = math.log(0.3), math.log(8)
+    best = (math.inf, 1.0)
+    for _ in range(8):
+        middle = (low + high) / 2 if best[0] < math.inf else 0.0
+        error = math.log(run_mesh_cad(program, name, bounds(math.exp(middle)))[0] / number)
+        best = min(best, (abs(error), math.exp(middle)))
+        if abs(error) < 0.03:
+            break
+        low, high = (middle, high) if error > 0 else (low, middle)
+    return best[1]
+
+
+def rates(run, other):
+    """Triangles per second of `run` over those of `other`."""
+    return "%.1f" % (run[0] / run[1] * other[1] / other[0])
 
 
 def main():
@@ -132,18 +150,23 @@ def main():
         return
     program, files = sys.argv[1], sys.argv[2:]
     others = [mesher for mesher, module in (("gmsh", "gmsh"), ("netgen", "netgen.NgOCC")) if has(module)]
-    coarse = ["--gamma", "0.12", "--relative-distance", "0.002"]
-    print("| model | mesh_cad | mesh_cad, coarser | " + " | ".join(others) + " | "
-          + " | ".join("times " + mesher for mesher in others) + " |")
-    print("|---|" + "---:|" * (2 + 2 * len(others)))
+    print("| model | mesh_cad | " + " | ".join("%s | mesh_cad, as many | times %s" % (other, other) for other in others) + " |")
+    print("|---|---:|" + "---:|" * (3 * len(others)))
     for name in files:
         diagonal = run_mesh_cad(program, name, [])[2]
-        own = [lambda options=options: run_mesh_cad(program, name, options)[:2] for options in ([], coarse)]
-        results = least(own + [lambda mesher=mesher: in_process(mesher, name, diagonal) for mesher in others])
-        runs, results = results[:2], results[2:]
-        ratios = ["-" if isinstance(r, str) else "%.0f" % ratio(runs, r) for r in results]
-        print("| %s | %s | %s | %s | %s |" % (os.path.basename(name), describe(runs[0]), describe(runs[1]),
-                                          " | ".join(describe(r) for r in results), " | ".join(ratios)), flush=True)
+        runs = [lambda: run_mesh_cad(program, name, [])[:2]]
+        for other in others:
+            first = in_process(other, name, diagonal)
+            has_failed = isinstance(first, str)
+            options = [] if has_failed else bounds(coarseness_for(program, name, first[0]))
+            runs.append(lambda other=other, first=first, has_failed=has_failed:
+                        first if has_failed else in_process(other, name, diagonal))
+            runs.append(lambda options=options: run_mesh_cad(program, name, options)[:2])
+        results = least(runs)
+        columns = [describe(results[0])]
+        for other, own in zip(results[1::2], results[2::2]):
+            columns += [other, "-", "-"] if isinstance(other, str) else [describe(other), describe(own), rates(own, other)]
+        print("| %s | %s |" % (os.path.basename(name), " | ".join(columns)), flush=True)
 
 
 if __name__ == "__main__":
