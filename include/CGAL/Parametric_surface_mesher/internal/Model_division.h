@@ -48,11 +48,15 @@ public:
   };
 
 private:
+  typedef typename Kernel::Point_2 Point_2;
+  typedef std::vector<Point_2> Domain_points;
+
   static const std::size_t no_index = std::size_t(-1);
 
   const Model& m_model;
   Edge_divider<Oracle> m_divider;
-  std::vector<Edge_division<Kernel>> m_divisions; // of the edges
+  std::vector<Edge_division<Kernel>> m_divisions;          // of the edges
+  std::vector<std::vector<Domain_points>> m_domain_points; // of the edges, for each use; curves are asked once
   std::vector<std::size_t> m_first_inner_indices; // in the mesh, of the second points of the edges
   std::vector<std::size_t> m_vertex_indices;      // in the mesh
   std::size_t m_number_of_points = 0;
@@ -62,6 +66,7 @@ public:
   Model_division(const Model& model, const std::vector<Oracle>& oracles,
                  const Parametric_surface_mesh_criteria& criteria)
     : m_model(model), m_divider(model, oracles, criteria), m_divisions(model.edges().size()),
+      m_domain_points(model.edges().size()),
       m_first_inner_indices(model.edges().size())
   {
     const std::vector<std::size_t> least_numbers = least_numbers_of_pieces(model, uses());
@@ -71,6 +76,8 @@ public:
         m_divisions[edge] = m_divider.divide(edge, least_numbers[edge]);
         m_divider.join_at_apexes(edge, least_numbers[edge], apexes, m_divisions[edge]);
       });
+    for(std::size_t edge : uses().order())
+      set_domain_points(edge);
     m_changed_edges.insert(uses().order().begin(), uses().order().end());
     number_vertices_first();
   }
@@ -148,6 +155,7 @@ public:
       division.points.push_back(m_divider.point(edge, parameters[i]));
     division.points.push_back(m_model.vertices()[m_model.edges()[edge].target]);
     division.parameters = parameters;
+    set_domain_points(edge);
     m_changed_edges.insert(edge);
     number_vertices_first();
   }
@@ -207,7 +215,7 @@ public:
   Boundary_loops<Kernel> boundary_loops(std::size_t face) const
   {
     Boundary_loops<Kernel> result;
-    std::map<std::size_t, std::vector<typename Kernel::Point_2>> corners; // domain points of each vertex
+    std::map<std::size_t, Domain_points> corners; // domain points of each vertex
     const double tolerance = 1e-9 * (m_divider.box(face).x_span() + m_divider.box(face).y_span());
     for(const auto& loop : m_model.faces()[face].loops) {
       result.emplace_back();
@@ -280,9 +288,35 @@ private:
     m_number_of_points += m_divisions[edge].parameters.size() - 2;
   }
 
+  void set_domain_points(std::size_t edge)
+  {
+    m_domain_points[edge].clear();
+    for(const auto& use : uses()[edge]) {
+      m_domain_points[edge].emplace_back();
+      for(double t : m_divisions[edge].parameters)
+        m_domain_points[edge].back().push_back(domain_point(use, t));
+    }
+  }
+
+  template <class Use>
+  Point_2 domain_point(const Use& use, double t) const
+  {
+    return with_name_of_face(m_model, use.face, [&] { return use.use->curve.point(t); });
+  }
+
+  const Domain_points& domain_points(const Edge_use& use) const
+  {
+    std::size_t i = 0;
+    while(uses()[use.edge][i].use != &use)
+      ++i;
+    return m_domain_points[use.edge][i];
+  }
+
   void split(std::size_t edge, const std::vector<std::size_t>& numbers)
   {
     Edge_division<Kernel>& division = m_divisions[edge];
+    for(std::size_t u = 0; u < m_domain_points[edge].size(); ++u)
+      put_in_middles(uses()[edge][u], division.parameters, numbers, m_domain_points[edge][u]);
     std::vector<double> parameters;
     std::vector<Point_3> points;
     auto next = numbers.begin();
@@ -301,19 +335,36 @@ private:
     m_changed_edges.insert(edge);
   }
 
+  template <class Use>
+  void put_in_middles(const Use& use, const std::vector<double>& parameters, const std::vector<std::size_t>& numbers,
+                      Domain_points& points) const
+  {
+    Domain_points result;
+    auto next = numbers.begin();
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      result.push_back(points[i]);
+      if(next != numbers.end() && *next == i) {
+        result.push_back(domain_point(use, 0.5 * (parameters[i] + parameters[i + 1])));
+        ++next;
+      }
+    }
+    points.swap(result);
+  }
+
   // the points of a use but for its last one, which begins the next use
   void append(const Edge_use& use, std::vector<Boundary_vertex<Kernel>>& loop) const
   {
     const Edge_division<Kernel>& division = m_divisions[use.edge];
+    const Domain_points& points = domain_points(use);
     const std::size_t n = number_of_pieces(use.edge);
     for(std::size_t k = 0; k < n; ++k) {
       const std::size_t i = use.is_reversed ? n - k : k;
-      loop.push_back({use.curve.point(division.parameters[i]), division.points[i], index(use.edge, i)});
+      loop.push_back({points[i], division.points[i], index(use.edge, i)});
     }
   }
 
   // Loops that touch in a vertex have exactly the same point there.
-  static void snap(Boundary_vertex<Kernel>& vertex, std::vector<typename Kernel::Point_2>& corners, double tolerance)
+  static void snap(Boundary_vertex<Kernel>& vertex, Domain_points& corners, double tolerance)
   {
     for(const auto& corner : corners)
       if(squared_distance(corner, vertex.domain_point) <= tolerance * tolerance) {

@@ -73,7 +73,7 @@ private:
 
   bool move_if_better(Vertex_handle vertex)
   {
-    const Star_quality before = m_star.quality(vertex->point());
+    const Star_quality before = m_star.quality();
     if(before.mean_ratio > quality_of_perfect_star)
       return false;
     const Point_2 target = m_star.mean_of_apices();

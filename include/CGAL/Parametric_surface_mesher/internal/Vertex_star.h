@@ -68,6 +68,7 @@ private:
   std::vector<Vertex_handle> m_ring;      // face k has vertices k and k + 1
   std::vector<double> m_squared_lengths; // of the edges of the ring
   std::size_t m_worst = 0;               // number of a triangle
+  std::vector<std::array<double, 3>> m_triangles; // squared lengths, as `for_each_triangle()` gives them
 
 public:
   Vertex_star(const Triangulation& triangulation, const MetricField& metric) : m_triangulation(triangulation), m_metric(metric)
@@ -97,10 +98,13 @@ public:
 
   const std::vector<Face_handle>& faces() const { return m_faces; }
 
-  Star_quality quality(const Point& center) const
+  // of the star as it is
+  Star_quality quality()
   {
     Star_quality result;
-    for_each_triangle(center, [&](std::size_t, const std::array<double, 3>& lengths) {
+    m_triangles.clear();
+    for_each_triangle(m_center->point(), [&](std::size_t, const std::array<double, 3>& lengths) {
+      m_triangles.push_back(lengths);
       result.squared_sine = (std::min)(result.squared_sine, internal::squared_smallest_sine(lengths));
       result.mean_ratio += squared_mean_ratio(lengths);
     });
@@ -148,11 +152,13 @@ public:
   }
 
   // The mean of the apices of equilateral triangles over the edges of the ring, each in the plane of its triangle.
+  // \pre `quality()` was asked for
   Point_2 mean_of_apices() const
   {
     const Point& p = m_center->point();
     double x = 0, y = 0;
-    for_each_triangle(p, [&](std::size_t k, const std::array<double, 3>& lengths) {
+    for(std::size_t k = 0; k < m_triangles.size(); ++k) {
+      const std::array<double, 3>& lengths = m_triangles[k];
       const Point &q = ring_point(k), &r = ring_point(k + 1);
       // of the centre, in the coordinate along the edge from `q` to `r`
       const double foot = 0.5 * (lengths[2] + lengths[0] - lengths[1]) / lengths[0];
@@ -161,7 +167,7 @@ public:
       const double qx = q.x() - p.x(), qy = q.y() - p.y(), rx = r.x() - p.x(), ry = r.y() - p.y();
       x += 0.5 * (qx + rx) - ratio_of_heights * (qx + foot * (rx - qx));
       y += 0.5 * (qy + ry) - ratio_of_heights * (qy + foot * (ry - qy));
-    });
+    }
     return Point_2(p.x() + x / double(m_ring.size()), p.y() + y / double(m_ring.size()));
   }
 
