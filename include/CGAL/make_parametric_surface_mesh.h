@@ -217,7 +217,8 @@ The model is checked by `validate()` first.
 meshed at the same time, the largest first, and so are the parts of large ones; the mesh is the same. It takes oneTBB
 (as for other CGAL packages, link with the target `CGAL::TBB_support`), surfaces and a sizing field that can be
 evaluated by several threads at a time, and the memory for the triangulations of as many faces as there are threads,
-and of all split ones. A visitor is called by one thread at a time.
+of all split ones, and of those with an inner edge between two boundary vertices that another face has, too. A visitor is
+called by one thread at a time.
 \tparam Surface a model of `ParametricSurface_3`
 
 Criteria, mesh, named parameters, report and exceptions are as above; in addition:

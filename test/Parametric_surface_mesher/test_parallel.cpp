@@ -166,8 +166,7 @@ TEST(Parallel, triangle_soup)
   EXPECT_EQ(ids_a, ids_b);
 }
 
-// Edges across both sides of a pillow would join the same vertices. With threads this is found when the second side was
-// collected already.
+// Edges across both sides of a pillow would join the same vertices. With threads, too, no side is meshed twice.
 TEST(Parallel, faces_with_common_chords)
 {
   const auto model = pillow();
@@ -176,9 +175,30 @@ TEST(Parallel, faces_with_common_chords)
   Counting_visitor visitor;
   Mesh mesh;
   CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(model, criteria, mesh, CGAL::parameters::visitor(std::ref(visitor)));
-  EXPECT_GT(visitor.number_of_phases, 2 + 5 * model.faces().size());
+  EXPECT_EQ(2 + 5 * model.faces().size(), visitor.number_of_phases);
   EXPECT_TRUE(mesh.is_valid());
   EXPECT_TRUE(CGAL::is_closed(mesh));
+}
+
+TEST(Parallel, faces_that_may_have_a_common_chord)
+{
+  struct Vertex
+  {
+    std::size_t index;
+  };
+  CGAL::Parametric_surface_mesher::internal::Faces_of_points faces;
+  faces.add(0, std::vector<std::vector<Vertex>>{{{0}, {1}, {2}, {3}}});
+  faces.add(1, std::vector<std::vector<Vertex>>{{{4}, {5}}, {{1}, {3}, {1}}});
+  faces.add(2, std::vector<std::vector<Vertex>>{{{0}, {2}, {5}}});
+  faces.finish();
+  EXPECT_TRUE(faces.have_other_common_face(1, 3, 0));
+  EXPECT_TRUE(faces.have_other_common_face(3, 1, 1));
+  EXPECT_TRUE(faces.have_other_common_face(0, 2, 0));
+  EXPECT_TRUE(faces.have_other_common_face(0, 1, 2));
+  EXPECT_FALSE(faces.have_other_common_face(0, 1, 0));
+  EXPECT_FALSE(faces.have_other_common_face(3, 5, 1));
+  EXPECT_FALSE(faces.have_other_common_face(2, 4, 0));
+  EXPECT_FALSE(faces.have_other_common_face(6, 7, 0));
 }
 
 // Maps that several threads cannot write are filled by one.

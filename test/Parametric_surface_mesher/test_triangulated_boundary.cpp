@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace internal = CGAL::Parametric_surface_mesher::internal;
@@ -77,10 +78,10 @@ public:
   }
 };
 
-Triangles triangles(const Boundary& boundary)
+Triangles triangles(const Boundary::Triangulation& triangulation)
 {
   Triangles result;
-  for(auto face : boundary.triangulation().finite_face_handles())
+  for(auto face : triangulation.finite_face_handles())
     if(face->is_in_domain()) {
       std::array<std::size_t, 3> triangle{face->vertex(0)->index(), face->vertex(1)->index(), face->vertex(2)->index()};
       std::sort(triangle.begin(), triangle.end());
@@ -127,7 +128,7 @@ void check_like_new(const Oracle& oracle, const Loops& loops, const Boundary& bo
   EXPECT_TRUE(boundary.triangulation().tds().is_valid());
   Boundary made_anew;
   made_anew.update(oracle, loops);
-  const Triangles all = triangles(boundary), all_anew = triangles(made_anew);
+  const Triangles all = triangles(boundary.triangulation()), all_anew = triangles(made_anew.triangulation());
   EXPECT_EQ(loops[0].size() + loops[1].size(), all.size()); // a disk with a hole
   EXPECT_EQ(all_anew.size(), all.size());
   if(is_unique) {
@@ -157,6 +158,40 @@ TEST(Triangulated_boundary, follows_the_division)
         check_like_new(oracle, flower.loops(), boundary, is_flat);
       }
     }
+  }
+}
+
+// What is handed over to the mesh of a face, which gives the points tensors of its own.
+TEST(Triangulated_boundary, is_taken_over)
+{
+  for(const std::string name : {"flat", "hole"}) {
+    const Sample_surface surface = make_sample(name).surface;
+    const Oracle oracle(surface, CGAL::First_fundamental_form_metric_2<Kernel>());
+    Random_input random(9);
+    Divided_flower flower(surface);
+    Boundary boundary;
+    boundary.update(oracle, flower.loops());
+    flower.halve_some(random);
+    const Loops loops = flower.loops();
+    boundary.update(oracle, loops);
+    Boundary::Triangulation triangulation, made_anew;
+    internal::Boundary_triangulator<Kernel> take_over(triangulation, loops), make_anew(made_anew, loops);
+    const internal::Metric_evaluator<Oracle> evaluate(oracle);
+    take_over.take_over(boundary.take(), evaluate);
+    make_anew(evaluate);
+    EXPECT_TRUE(triangulation.tds().is_valid());
+    EXPECT_EQ(triangles(made_anew), triangles(triangulation));
+    ASSERT_EQ(loops[0].size() + loops[1].size(), take_over.vertices().size());
+    for(std::size_t i = 0; i < take_over.vertices().size(); ++i) {
+      const auto v = take_over.vertices()[i], w = make_anew.vertices()[i];
+      EXPECT_EQ(w->point().domain_point(), v->point().domain_point());
+      EXPECT_EQ(w->point().tensor(), v->point().tensor());
+      EXPECT_EQ(w->index(), v->index());
+      EXPECT_EQ(w->spacing(), v->spacing());
+      EXPECT_TRUE(v->is_on_boundary());
+    }
+    boundary.update(oracle, loops); // it has none any more
+    check_like_new(oracle, loops, boundary, true);
   }
 }
 

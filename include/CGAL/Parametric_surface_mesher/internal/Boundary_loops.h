@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,13 @@ Bbox_2 box_of_loops(const Boundary_loops<Kernel>& loops)
     for(const Boundary_vertex<Kernel>& vertex : loop)
       box += vertex.domain_point.bbox();
   return box;
+}
+
+template <class Kernel>
+std::size_t number_of_vertices(const Boundary_loops<Kernel>& loops)
+{
+  return std::accumulate(loops.begin(), loops.end(), std::size_t(0),
+                         [](std::size_t n, const auto& loop) { return n + loop.size(); });
 }
 
 // Looks for what keeps a division from bounding a domain: fewer than three points, values that are not finite, segments of

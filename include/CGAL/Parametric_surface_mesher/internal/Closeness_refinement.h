@@ -55,13 +55,17 @@ class Closeness_refinement
   Division& m_division;
   const std::vector<Oracle>& m_oracles; // of the faces
   const Parametric_surface_mesh_criteria& m_criteria;
-  std::vector<Boundary> m_boundaries; // of the faces
+  std::vector<Boundary>& m_boundaries; // of the faces
   std::set<std::size_t> m_faces_with_strips; // narrower than pieces of their edges that cannot be halved
 
 public:
-  Closeness_refinement(Division& division, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria)
-    : m_division(division), m_oracles(oracles), m_criteria(criteria), m_boundaries(oracles.size())
-  {}
+  // `boundaries`: of the faces; they follow the division
+  Closeness_refinement(Division& division, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria,
+                       std::vector<Boundary>& boundaries)
+    : m_division(division), m_oracles(oracles), m_criteria(criteria), m_boundaries(boundaries)
+  {
+    m_boundaries.resize(oracles.size());
+  }
 
   // returns how many pieces were halved
   std::size_t operator()()

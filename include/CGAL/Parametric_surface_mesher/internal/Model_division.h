@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -219,6 +220,7 @@ public:
     const double tolerance = 1e-9 * (m_divider.box(face).x_span() + m_divider.box(face).y_span());
     for(const auto& loop : m_model.faces()[face].loops) {
       result.emplace_back();
+      result.back().reserve(number_of_segments(loop));
       for(const Edge_use& use : loop) {
         const std::size_t first = result.back().size();
         append(use, result.back());
@@ -361,6 +363,12 @@ private:
       const std::size_t i = use.is_reversed ? n - k : k;
       loop.push_back({points[i], division.points[i], index(use.edge, i)});
     }
+  }
+
+  std::size_t number_of_segments(const typename Model::Loop& loop) const
+  {
+    return std::accumulate(loop.begin(), loop.end(), std::size_t(0),
+                           [this](std::size_t n, const Edge_use& use) { return n + number_of_pieces(use.edge); });
   }
 
   // Loops that touch in a vertex have exactly the same point there.

@@ -84,8 +84,13 @@ public:
 
   void operator()()
   {
-    in_phase("triangulation", m_report.seconds.triangulation, [&] { triangulate(); });
-    refine_and_improve(m_criteria.placement() == Mesh_point_placement::FRONTAL);
+    triangulate_and_refine([this](auto& triangulate) { triangulate(m_evaluator); });
+  }
+
+  // `given`: of the loops
+  void operator()(Boundary_triangulation<Kernel> given)
+  {
+    triangulate_and_refine([&](auto& triangulate) { triangulate.take_over(std::move(given), m_evaluator); });
   }
 
   // \pre there is a triangulation
@@ -142,10 +147,19 @@ private:
     run();
   }
 
-  void triangulate()
+  template <class Triangulate>
+  void triangulate_and_refine(const Triangulate& triangulate)
+  {
+    in_phase("triangulation", m_report.seconds.triangulation, [&] { this->triangulate(triangulate); });
+    refine_and_improve(m_criteria.placement() == Mesh_point_placement::FRONTAL);
+  }
+
+  // `run`: makes a triangulator triangulate
+  template <class Run>
+  void triangulate(const Run& run)
   {
     Boundary_triangulator<Kernel> triangulate(m_triangulation, m_loops);
-    triangulate(m_evaluator);
+    run(triangulate);
     if(!m_is_part) // else they are counted for the patch
       m_report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
     m_number_of_boundary_vertices = triangulate.vertices().size();

@@ -73,7 +73,7 @@ class Patch_repair
   Kept_states<Face_handle> m_states;
   Face_turning<Evaluator> m_turn_over;
   std::deque<Face_handle> m_queue;
-  std::unordered_set<Face_handle> m_waiting; // those in the queue
+  std::unordered_set<Face_handle> m_removed; // faces
   std::vector<Point_2> m_apices;
   std::vector<Candidate> m_candidates;
 
@@ -102,15 +102,14 @@ public:
       vertex->set_settled(false);
     std::size_t attempts_left = 1000 + m_triangulation.number_of_faces() / 20;
     while(!m_queue.empty() && attempts_left > 0 && go_further()) {
-      const Face_handle face = m_queue.front();
-      m_queue.pop_front();
-      if(m_waiting.erase(face) == 0)
-        continue; // it is gone
-      if(is_poor(face)) {
+      const Face_handle face = take_first();
+      if(face != Face_handle() && is_poor(face)) {
         repair(face);
         --attempts_left;
       }
     }
+    while(!m_queue.empty())
+      take_first();
   }
 
 private:
@@ -128,6 +127,17 @@ private:
     typename IsBad::Quality quality;
     const Mesh_2::Face_badness found = m_is_bad(face, quality);
     return found == Mesh_2::BAD && m_turn_over.is_inverted(face) ? Mesh_2::IMPERATIVELY_BAD : found;
+  }
+
+  // of the queue; returns none if it was removed
+  Face_handle take_first()
+  {
+    const Face_handle face = m_queue.front();
+    m_queue.pop_front();
+    if(m_removed.count(face) > 0)
+      return Face_handle();
+    face->set_waiting(false);
+    return face;
   }
 
   double squared_sine(Face_handle face) const
@@ -148,8 +158,10 @@ private:
 
   void add_if_poor(Face_handle face)
   {
-    if(is_poor(face) && m_waiting.insert(face).second)
-      m_queue.push_back(face);
+    if(face->is_waiting() || !is_poor(face))
+      return;
+    face->set_waiting(true);
+    m_queue.push_back(face);
   }
 
   // A vertex that has no better place is settled until its star changes.
@@ -339,9 +351,11 @@ private:
   void remove(Vertex_handle vertex, Vertex_removal<Triangulation>& removal)
   {
     std::vector<Face_handle> changed = faces_without(vertex);
-    for(Face_handle face : removal.faces())
-      m_waiting.erase(face);
-    changed.push_back(removal.remove());
+    const std::vector<Face_handle> faces = removal.faces();
+    const Face_handle last = removal.remove();
+    std::copy_if(faces.begin(), faces.end(), std::inserter(m_removed, m_removed.end()),
+                 [=](Face_handle face) { return face != last; });
+    changed.push_back(last);
     number_of_failures(changed, 1); // their states are known then
     add_around(changed);
   }

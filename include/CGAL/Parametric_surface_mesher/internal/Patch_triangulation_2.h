@@ -67,6 +67,7 @@ class alignas(64) Patch_face_base_2
   Face_state m_state = Face_state::UNKNOWN;
   std::uint8_t m_nesting_level = 0;
   std::uint8_t m_close_edges = 0; // one bit each
+  bool m_is_waiting = false;
 
 public:
   using Base::Base;
@@ -93,6 +94,10 @@ public:
 
   Face_state state() const { return m_state; }
   void set_state(Face_state state) { m_state = state; }
+
+  // to be repaired
+  bool is_waiting() const { return m_is_waiting; }
+  void set_waiting(bool b) { m_is_waiting = b; }
 
   // Whether edge `i` is known to be close to the surface.
   bool is_close(int i) const { return (m_close_edges >> i & 1) != 0; }

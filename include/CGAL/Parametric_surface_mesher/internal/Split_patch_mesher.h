@@ -97,8 +97,9 @@ public:
   Split_patch_mesher(const Split_patch_mesher&) = delete;
   Split_patch_mesher& operator=(const Split_patch_mesher&) = delete;
 
+  // `boundary`: a triangulation of the loops, if there is one
   template <class ConcurrencyTag>
-  void run()
+  void run(Boundary_triangulation<Kernel> boundary)
   {
     if(may_be_split() && mesh_parts<ConcurrencyTag>())
       return;
@@ -107,7 +108,10 @@ public:
     m_is_whole = true;
     m_report.number_of_replaced_tensors = 0; // of the sketch
     m_parts.push_back(std::make_unique<Mesher>(m_oracle, m_criteria, m_boundary, m_boundary.loops(), false, m_visitor));
-    (*m_parts.front())();
+    if(boundary.triangulation)
+      (*m_parts.front())(std::move(boundary));
+    else
+      (*m_parts.front())();
     m_number_of_inner_vertices = m_parts.front()->number_of_inner_vertices();
   }
 
@@ -173,7 +177,7 @@ private:
   // much smaller inside.
   bool may_be_split() const
   {
-    const double number_of_edges = double(number_of_boundary_vertices()), part_size = double(m_criteria.part_size());
+    const double number_of_edges = double(number_of_vertices<Kernel>(m_boundary.loops())), part_size = double(m_criteria.part_size());
     const bool has_chart = !m_boundary.chart().is_identity();
     if(part_size == 0 || (!has_chart && !m_oracle.singular_points().empty())
        || 0.5 * number_of_edges * number_of_edges < part_size)
@@ -217,7 +221,7 @@ private:
       join_parts<ConcurrencyTag>(*parts);
     for(const Shared_vertex& vertex : m_shared)
       m_number_of_inner_vertices += vertex.index != not_shared;
-    return m_number_of_inner_vertices + number_of_boundary_vertices() < m_criteria.max_number_of_vertices();
+    return m_number_of_inner_vertices + number_of_vertices<Kernel>(m_boundary.loops()) < m_criteria.max_number_of_vertices();
   }
 
   std::unique_ptr<Patch_parts<Kernel>> split()
@@ -286,14 +290,6 @@ private:
     for(Vertex_handle vertex : triangulation.finite_vertex_handles())
       if(vertex->is_on_boundary() && vertex->index() >= m_first_index)
         vertex->set_index(m_shared[vertex->index() - m_first_index].index);
-  }
-
-  std::size_t number_of_boundary_vertices() const
-  {
-    std::size_t result = 0;
-    for(const auto& loop : m_boundary.loops())
-      result += loop.size();
-    return result;
   }
 };
 

@@ -94,12 +94,24 @@ public:
     const Charted_oracle charted_oracle(surface, oracle.metric(), oracle.singular_points());
     const Metric_evaluator<Charted_oracle> evaluate(charted_oracle);
     const Boundary_loops<Kernel> charted_loops = chart_loops(loops, surface.chart());
-    if(!surface.chart().is_identity() || !put_in_middles(loops, evaluate))
+    if(!is_of(charted_loops) && (!surface.chart().is_identity() || !put_in_middles(loops, evaluate)))
       make(charted_loops, evaluate);
     for(std::size_t l = 0; l < loops.size(); ++l) {
+      set_indices(charted_loops[l], m_loops[l].vertices);
       m_loops[l].segments = segments(loops[l], charted_loops[l].size());
       set_spacings(m_loops[l].vertices);
     }
+  }
+
+  // The triangulation of the loops that `update()` was called with last, which is gone from here.
+  Boundary_triangulation<Kernel> take()
+  {
+    Boundary_triangulation<Kernel> result;
+    result.triangulation = std::move(m_triangulation);
+    for(const Loop& loop : m_loops)
+      result.vertices.insert(result.vertices.end(), loop.vertices.begin(), loop.vertices.end());
+    m_loops.clear();
+    return result;
   }
 
   const Triangulation& triangulation() const { return *m_triangulation; }
@@ -124,6 +136,14 @@ private:
       m_loops.push_back({{vertices, vertices + loop.size()}, {}});
       vertices += loop.size();
     }
+  }
+
+  bool is_of(const Boundary_loops<Kernel>& loops) const
+  {
+    return std::equal(loops.begin(), loops.end(), m_loops.begin(), m_loops.end(), [](const auto& loop, const Loop& own) {
+      return std::equal(loop.begin(), loop.end(), own.vertices.begin(), own.vertices.end(),
+                        [](const Vertex& vertex, Vertex_handle handle) { return is_at(handle, vertex.domain_point); });
+    });
   }
 
   // Returns false if more has changed, or a segment that a middle was put in the way of is no edge.
@@ -176,9 +196,13 @@ private:
         result.push_back(m_triangulation->insert(point, result.back()->face()));
         result.back()->set_on_boundary(true);
       }
-    for(std::size_t i = 0; i < loop.size(); ++i)
-      result[i]->set_index(loop[i].index);
     vertices.swap(result);
+  }
+
+  static void set_indices(const std::vector<Vertex>& loop, const std::vector<Vertex_handle>& vertices)
+  {
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      vertices[i]->set_index(loop[i].index);
   }
 
   bool constrain(const std::vector<Vertex>& loop, const std::vector<Vertex_handle>& vertices)

@@ -34,9 +34,11 @@ inline std::string without_name_of_face(const Parametric_surface_mesh_error& err
 template <class Model, class Mesh>
 Parametric_surface_mesh_report mesh_without_bad_faces(const Model& model, Mesh mesh)
 {
-  Model rest = model;
+  Model rest; // a copy, once a face is left out
   std::vector<Parametric_surface_mesh_report::Left_out_face> left_out;
   const auto leave_out = [&](std::size_t face, const std::string& reason) {
+    if(left_out.empty())
+      rest = model;
     rest.faces()[face].loops.clear();
     left_out.push_back({face, reason});
   };
@@ -49,15 +51,16 @@ Parametric_surface_mesh_report mesh_without_bad_faces(const Model& model, Mesh m
         throw Parametric_surface_mesh_error(left_out.empty() ? "the model has no faces"
                                                              : "no face can be meshed; face " + std::to_string(left_out.front().face)
                                                                  + ": " + left_out.front().reason);
-      Model_validation<typename Model::Surface_3> check(rest, true);
+      const Model& meshed = left_out.empty() ? model : rest;
+      Model_validation<typename Model::Surface_3> check(meshed, true);
       check();
-      Parametric_surface_mesh_report report = mesh(rest);
+      Parametric_surface_mesh_report report = mesh(meshed);
       std::sort(left_out.begin(), left_out.end(), [](const auto& a, const auto& b) { return a.face < b.face; });
       report.left_out = std::move(left_out);
       return report;
     }
     catch(const Parametric_surface_mesh_error& error) {
-      if(!error.face() || rest.faces()[*error.face()].loops.empty())
+      if(!error.face() || (!left_out.empty() && rest.faces()[*error.face()].loops.empty()))
         throw;
       leave_out(*error.face(), without_name_of_face(error));
     }

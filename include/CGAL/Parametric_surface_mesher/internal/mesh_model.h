@@ -8,11 +8,13 @@
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/Closeness_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Crossing_refinement.h>
+#include <CGAL/Parametric_surface_mesher/internal/Faces_of_points.h>
 #include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/Partial_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/Split_patch_mesher.h>
 #include <CGAL/Parametric_surface_mesher/internal/Synchronized_visitor.h>
+#include <CGAL/Parametric_surface_mesher/internal/Triangulated_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/append_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
@@ -80,6 +82,7 @@ private:
   Criteria m_criteria;
   Synchronized_visitor<Visitor> m_visitor;
   std::vector<Oracle> m_oracles;
+  std::vector<Triangulated_boundary<Oracle>> m_boundaries; // of the faces, or none; each is used up by the mesh of its face
   Parametric_surface_mesh_report& m_report;
 
 public:
@@ -100,7 +103,7 @@ public:
     Crossing_refinement<Oracle> refine(division, m_oracles);
     m_report.number_of_split_boundary_edges = refine();
     if(m_criteria.closeness() > 0) {
-      Closeness_refinement<Oracle> refine_narrow_faces(division, m_oracles, m_criteria);
+      Closeness_refinement<Oracle> refine_narrow_faces(division, m_oracles, m_criteria, m_boundaries);
       m_report.number_of_edges_split_by_closeness = refine_narrow_faces();
       m_report.number_of_split_boundary_edges += refine();
     }
@@ -114,16 +117,12 @@ public:
   void mesh_faces(const Division& division, Mesh& mesh)
   {
     division.append_to(mesh);
-    if(!is_parallel<ConcurrencyTag>() || !mesh_faces_at_the_same_time<ConcurrencyTag>(division, mesh))
-      for(std::size_t f = 0; f < m_model.faces().size(); ++f)
-        if(!m_model.faces()[f].loops.empty()) { // else it was left out
-          std::vector<Task> tasks(1);
-          tasks.front().face = f;
-          tasks.front().loops = division.boundary_loops(f);
-          tasks.front().number_of_vertices = mesh.number_of_points();
-          run<ConcurrencyTag>(tasks.front());
-          collect<ConcurrencyTag>(tasks, mesh);
-        }
+    if(!is_parallel<ConcurrencyTag>())
+      mesh_one_by_one<ConcurrencyTag>(division, mesh);
+    else if(!mesh_faces_at_the_same_time<ConcurrencyTag>(division, mesh)) {
+      divide(); // the same once more: the triangulations of the boundaries are used up
+      mesh_one_by_one<ConcurrencyTag>(division, mesh);
+    }
     mesh.template finish<ConcurrencyTag>();
     m_report.number_of_faces = mesh.number_of_faces();
   }
@@ -131,7 +130,8 @@ public:
 private:
   typedef Split_patch_mesher<Oracle, Criteria, Synchronized_visitor<Visitor>> Face_mesher;
 
-  typedef Boundary_loops<typename Model::Geom_traits> Loops;
+  typedef typename Model::Geom_traits Kernel;
+  typedef Boundary_loops<Kernel> Loops;
 
   // a part of a face
   struct Part
@@ -151,13 +151,30 @@ private:
     std::exception_ptr error;
   };
 
+  template <class ConcurrencyTag>
+  void mesh_one_by_one(const Division& division, Mesh& mesh)
+  {
+    for(std::size_t f = 0; f < m_model.faces().size(); ++f)
+      if(!m_model.faces()[f].loops.empty()) { // else it was left out
+        std::vector<Task> tasks(1);
+        tasks.front().face = f;
+        tasks.front().loops = division.boundary_loops(f);
+        tasks.front().number_of_vertices = mesh.number_of_points();
+        run<ConcurrencyTag>(tasks.front());
+        collect<ConcurrencyTag>(tasks, mesh);
+      }
+  }
+
   // Returns false, with the mesh as it was, if there are as many vertices as are allowed: then each face may have but what
   // those before it have left.
   template <class ConcurrencyTag>
   bool mesh_faces_at_the_same_time(const Division& division, Mesh& mesh)
   {
     std::vector<Task> tasks = tasks_by_size(division, mesh.number_of_points());
-    for_each_index<ConcurrencyTag>(tasks.size(), [&](std::size_t i) { run_and_collect<ConcurrencyTag>(tasks[i], mesh); });
+    const Faces_of_points faces_of_points = this->faces_of_points(tasks);
+    for_each_index<ConcurrencyTag>(tasks.size(), [&](std::size_t i) {
+      run_and_collect<ConcurrencyTag>(tasks[i], faces_of_points, mesh);
+    });
     std::sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.face < b.face; });
     std::size_t number_of_vertices = mesh.number_of_points();
     for(const Task& task : tasks)
@@ -177,7 +194,7 @@ private:
       if(!m_model.faces()[f].loops.empty())
         result.push_back({f, number_of_vertices, division.boundary_loops(f), nullptr, {}, {}, nullptr});
     std::stable_sort(result.begin(), result.end(), [](const Task& a, const Task& b) {
-      return number_of_edges(a.loops) > number_of_edges(b.loops);
+      return internal::number_of_vertices<Kernel>(a.loops) > internal::number_of_vertices<Kernel>(b.loops);
     });
     return result;
   }
@@ -188,19 +205,30 @@ private:
     with_name_of_face(m_model, task.face, [&] {
       const Criteria criteria = criteria_of_face(task.face, task.loops, task.number_of_vertices);
       task.mesher = std::make_unique<Face_mesher>(m_oracles[task.face], criteria, task.loops, m_visitor);
-      task.mesher->template run<ConcurrencyTag>();
+      task.mesher->template run<ConcurrencyTag>(triangulated_boundary(task));
       if(task.mesher->is_whole())
         task.chords = task.mesher->own_chords();
     });
   }
 
-  // A face that is not in parts is collected at once, while its triangulation is in the cache, and to be rid of that.
+  // of the face of a task, if closeness has one
+  Boundary_triangulation<Kernel> triangulated_boundary(const Task& task)
+  {
+    if(m_boundaries.empty())
+      return {};
+    Triangulated_boundary<Oracle>& boundary = m_boundaries[task.face];
+    boundary.update(m_oracles[task.face], task.loops);
+    return boundary.take();
+  }
+
+  // A face that is not in parts is collected at once, while its triangulation is in the cache, and to be rid of that; unless
+  // it has a chord that may be that of another one.
   template <class ConcurrencyTag>
-  void run_and_collect(Task& task, const Mesh& mesh) noexcept
+  void run_and_collect(Task& task, const Faces_of_points& faces_of_points, const Mesh& mesh) noexcept
   {
     try {
       run<ConcurrencyTag>(task);
-      if(!task.mesher->is_whole())
+      if(!task.mesher->is_whole() || may_have_common_chord(task, faces_of_points, mesh))
         return;
       task.parts.resize(1);
       collect(task, 0, mesh);
@@ -241,8 +269,26 @@ private:
       part.mesh.reverse();
   }
 
-  // What cannot be done for several faces at the same time. Few chords of a face are those of another one: then it is meshed
-  // once more if its triangulation is gone.
+  static Faces_of_points faces_of_points(const std::vector<Task>& tasks)
+  {
+    Faces_of_points result;
+    for(const Task& task : tasks)
+      result.add(task.face, task.loops);
+    result.finish();
+    return result;
+  }
+
+  // with another face, or an edge of the division
+  bool may_have_common_chord(const Task& task, const Faces_of_points& faces_of_points, const Mesh& mesh) const
+  {
+    const auto division = mesh.chords.find(m_model.faces()[task.face].shell);
+    return (division != mesh.chords.end() && has_common_chord(task.chords, division->second))
+           || std::any_of(task.chords.begin(), task.chords.end(), [&](const auto& chord) {
+                return faces_of_points.have_other_common_face(chord.first, chord.second, task.face);
+              });
+  }
+
+  // What cannot be done for several faces at the same time.
   template <class ConcurrencyTag>
   void prepare(Task& task, Mesh& mesh)
   {
@@ -257,10 +303,7 @@ private:
       task.mesher->add_to(m_report);
       return;
     }
-    if(!task.parts.empty()) {
-      task.parts.clear();
-      run<ConcurrencyTag>(task);
-    }
+    CGAL_assertion(task.parts.empty());
     with_name_of_face(m_model, task.face, [&] { task.mesher->template prepare<ConcurrencyTag>(mesh, chords, m_report); });
   }
 
@@ -269,20 +312,12 @@ private:
     return std::any_of(chords.begin(), chords.end(), [&](const auto& chord) { return others.count(chord) > 0; });
   }
 
-  static std::size_t number_of_edges(const Loops& loops)
-  {
-    std::size_t result = 0;
-    for(const auto& loop : loops)
-      result += loop.size();
-    return result;
-  }
-
   // the number of vertices is limited for all faces together
   Criteria criteria_of_face(std::size_t face, const Loops& loops, std::size_t number_of_vertices) const
   {
     const std::size_t limit = m_criteria.max_number_of_vertices();
     Criteria result = internal::criteria_of_face(m_criteria, m_model.faces()[face]);
-    result.set_max_number_of_vertices(limit - (std::min)(limit, number_of_vertices) + number_of_edges(loops));
+    result.set_max_number_of_vertices(limit - (std::min)(limit, number_of_vertices) + internal::number_of_vertices<Kernel>(loops));
     return result;
   }
 };

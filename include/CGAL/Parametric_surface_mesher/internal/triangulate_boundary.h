@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -44,6 +45,16 @@ void set_nesting_levels(Triangulation& triangulation)
           (face->is_constrained(i) ? next : level).push_back(face->neighbor(i));
     }
 }
+
+// A triangulation of the points of a divided boundary whose segments are its constraints.
+template <class Kernel>
+struct Boundary_triangulation
+{
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+
+  std::unique_ptr<Triangulation> triangulation;
+  std::vector<typename Triangulation::Vertex_handle> vertices; // of the points, loop by loop
+};
 
 /*
 Triangulates the divided boundary of a patch: the division's segments become constraints, faces are marked as inside or
@@ -90,6 +101,20 @@ public:
       make_locally_delaunay();
   }
 
+  // Takes over a triangulation of the points of the loops, under tensors and with spacings of its own.
+  template <class Evaluator>
+  void take_over(Boundary_triangulation<Kernel> given, const Evaluator& evaluate)
+  {
+    CGAL_precondition(given.vertices.size() == number_of_vertices<Kernel>(m_loops));
+    const std::vector<Evaluated> evaluated = evaluate_all(evaluate);
+    m_triangulation.swap(*given.triangulation);
+    m_vertices = std::move(given.vertices);
+    for(Vertex_handle vertex : m_vertices)
+      vertex->set_on_boundary(false);
+    set_points(evaluated);
+    make_locally_delaunay();
+  }
+
   // the vertices of the points of the loops, loop by loop
   const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
 
@@ -101,6 +126,7 @@ private:
   std::vector<Evaluated> evaluate_all(const Evaluator& evaluate)
   {
     std::vector<Evaluated> result;
+    result.reserve(number_of_vertices<Kernel>(m_loops));
     for(const auto& loop : m_loops) {
       m_starts.push_back(result.size());
       for(std::size_t i = 0; i < loop.size(); ++i) {
@@ -133,6 +159,7 @@ private:
 
   void insert_points(const Metric_tensor_2& tensor)
   {
+    m_points.reserve(number_of_vertices<Kernel>(m_loops));
     for(const auto& loop : m_loops)
       for(const Boundary_vertex<Kernel>& vertex : loop)
         m_points.emplace_back(vertex.domain_point, vertex.surface_point, tensor);
