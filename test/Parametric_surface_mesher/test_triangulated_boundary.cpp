@@ -161,7 +161,7 @@ TEST(Triangulated_boundary, follows_the_division)
   }
 }
 
-// What is handed over to the mesh of a face, which gives the points tensors of its own.
+// What is handed over to the mesh of a face, which gives the points tensors of its own, and makes it anew where they vary.
 TEST(Triangulated_boundary, is_taken_over)
 {
   for(const std::string name : {"flat", "hole"}) {
@@ -177,7 +177,7 @@ TEST(Triangulated_boundary, is_taken_over)
     Boundary::Triangulation triangulation, made_anew;
     internal::Boundary_triangulator<Kernel> take_over(triangulation, loops), make_anew(made_anew, loops);
     const internal::Metric_evaluator<Oracle> evaluate(oracle);
-    take_over.take_over(boundary.take(), evaluate);
+    take_over(evaluate, boundary.take());
     make_anew(evaluate);
     EXPECT_TRUE(triangulation.tds().is_valid());
     EXPECT_EQ(triangles(made_anew), triangles(triangulation));

@@ -90,7 +90,7 @@ public:
   // `given`: of the loops
   void operator()(Boundary_triangulation<Kernel> given)
   {
-    triangulate_and_refine([&](auto& triangulate) { triangulate.take_over(std::move(given), m_evaluator); });
+    triangulate_and_refine([&](auto& triangulate) { triangulate(m_evaluator, std::move(given)); });
   }
 
   // \pre there is a triangulation

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <initializer_list>
 #include <iterator>
 #include <unordered_set>
 #include <vector>
@@ -178,13 +179,17 @@ private:
       const Vertex_handle vertex = face->vertex(i);
       if(vertex->is_on_boundary() || vertex->is_settled())
         continue;
-      if(move_if_better(vertex))
+      if(move_if_better(vertex, {1., 0.5, 0.25, 0.1}))
         return;
       vertex->set_settled(true);
     }
     if(!m_is_full && squared_sine(face) < m_squared_sine_of_criterion)
       for(int i = 0; i < 3; ++i)
         if(!face->vertex(i)->is_on_boundary() && remove_if_better(face->vertex(i)))
+          return;
+    if(squared_sine(face) < share_of_needles * m_squared_sine_of_criterion) // one that much is in the way of
+      for(int i = 0; i < 3; ++i)
+        if(!face->vertex(i)->is_on_boundary() && move_if_better(face->vertex(i), {0.05, 0.02}))
           return;
   }
 
@@ -284,12 +289,13 @@ private:
     return false;
   }
 
-  bool move_if_better(Vertex_handle vertex)
+  // by shares of the way to apices
+  bool move_if_better(Vertex_handle vertex, std::initializer_list<double> shares)
   {
     m_star.collect(vertex);
     const Point old_point = vertex->point();
     const double old_sine = m_star.squared_smallest_sine(old_point);
-    collect_candidates(vertex, m_least_gain * old_sine);
+    collect_candidates(vertex, m_least_gain * old_sine, shares);
     std::size_t failures = 0;
     bool is_tried = false;
     for(const Candidate& candidate : m_candidates) {
@@ -369,15 +375,15 @@ private:
     return result;
   }
 
-  // Places that may give a smallest angle above that of `least`, the best first.
-  void collect_candidates(Vertex_handle vertex, double least)
+  // Places that may give a smallest angle above that of `least`, the best first: by shares of the way to apices.
+  void collect_candidates(Vertex_handle vertex, double least, std::initializer_list<double> shares)
   {
     m_star.apices(m_apices);
     m_candidates.clear();
     const Point& p = vertex->point();
     const auto jet = m_evaluate.position(p, vertex->spacing()).jet;
     for(const Point_2& apex : m_apices)
-      for(double share : {1., 0.5, 0.25, 0.1}) {
+      for(double share : shares) {
         const double u = share * (apex.x() - p.x()), v = share * (apex.y() - p.y());
         const Point_2 position(p.x() + u, p.y() + v);
         const auto move = u * jet.du + v * jet.dv + (0.5 * u * u) * jet.duu + (u * v) * jet.duv + (0.5 * v * v) * jet.dvv;

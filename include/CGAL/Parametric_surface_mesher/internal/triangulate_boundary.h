@@ -12,6 +12,7 @@
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -91,28 +92,20 @@ public:
   template <class Evaluator>
   void operator()(const Evaluator& evaluate)
   {
-    const std::vector<Evaluated> evaluated = evaluate_all(evaluate);
-    const bool is_uniform = have_one_tensor(evaluated);
-    insert_points(is_uniform ? evaluated.front().point.tensor() : mean_tensor(evaluated));
-    insert_constraints();
-    mark_domain();
-    set_points(evaluated);
-    if(!is_uniform) // else it is Delaunay already
-      make_locally_delaunay();
+    triangulate(evaluate_all(evaluate));
   }
 
-  // Takes over a triangulation of the points of the loops, under tensors and with spacings of its own.
+  // Takes over a triangulation of the points of the loops, under tensors and with spacings of its own. Where tensors vary it
+  // depends on how it was made: then one is made anew.
   template <class Evaluator>
-  void take_over(Boundary_triangulation<Kernel> given, const Evaluator& evaluate)
+  void operator()(const Evaluator& evaluate, Boundary_triangulation<Kernel> given)
   {
     CGAL_precondition(given.vertices.size() == number_of_vertices<Kernel>(m_loops));
     const std::vector<Evaluated> evaluated = evaluate_all(evaluate);
-    m_triangulation.swap(*given.triangulation);
-    m_vertices = std::move(given.vertices);
-    for(Vertex_handle vertex : m_vertices)
-      vertex->set_on_boundary(false);
-    set_points(evaluated);
-    make_locally_delaunay();
+    if(have_similar_tensors(evaluated))
+      take_over(std::move(given), evaluated);
+    else
+      triangulate(evaluated);
   }
 
   // the vertices of the points of the loops, loop by loop
@@ -122,6 +115,27 @@ public:
   std::size_t number_of_replaced_tensors() const { return m_number_of_replaced_tensors; }
 
 private:
+  void triangulate(const std::vector<Evaluated>& evaluated)
+  {
+    const bool is_uniform = have_one_tensor(evaluated);
+    insert_points(is_uniform ? evaluated.front().point.tensor() : mean_tensor(evaluated));
+    insert_constraints();
+    mark_domain();
+    set_points(evaluated);
+    if(!is_uniform) // else it is Delaunay already
+      make_locally_delaunay();
+  }
+
+  void take_over(Boundary_triangulation<Kernel> given, const std::vector<Evaluated>& evaluated)
+  {
+    m_triangulation.swap(*given.triangulation);
+    m_vertices = std::move(given.vertices);
+    for(Vertex_handle vertex : m_vertices)
+      vertex->set_on_boundary(false);
+    set_points(evaluated);
+    make_locally_delaunay();
+  }
+
   template <class Evaluator>
   std::vector<Evaluated> evaluate_all(const Evaluator& evaluate)
   {
@@ -147,6 +161,18 @@ private:
   {
     return std::all_of(evaluated.begin(), evaluated.end(),
                        [&](const Evaluated& e) { return e.point.tensor() == evaluated.front().point.tensor(); });
+  }
+
+  // as those of a cylinder do, but for rounding
+  static bool have_similar_tensors(const std::vector<Evaluated>& evaluated)
+  {
+    const double tolerance = 1e-6;
+    const Metric_tensor_2 first = evaluated.front().point.tensor();
+    return std::all_of(evaluated.begin(), evaluated.end(), [&](const Evaluated& e) {
+      const Metric_tensor_2 t = e.point.tensor();
+      return std::fabs(t.e() - first.e()) <= tolerance * first.e() && std::fabs(t.g() - first.g()) <= tolerance * first.g()
+             && std::fabs(t.f() - first.f()) <= tolerance * std::sqrt(first.e() * first.g());
+    });
   }
 
   static Metric_tensor_2 mean_tensor(const std::vector<Evaluated>& evaluated)
