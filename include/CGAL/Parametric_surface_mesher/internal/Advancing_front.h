@@ -14,7 +14,6 @@
 #include <cmath>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -62,13 +61,16 @@ public:
       m_max_number_of_vertices(max_number_of_vertices)
   {}
 
-  void operator()()
+  // `faces`: all of them, in the order in which those on the first front come
+  template <class Faces>
+  void operator()(const Faces& faces)
   {
-    for(Face_handle face : m_triangulation.finite_face_handles())
+    for(Face_handle face : faces)
       if(face->is_in_domain() && !is_collapsed(face))
         set_state(face, squared_size_ratio(face));
-    for(Face_handle face : active_faces())
-      push_if_on_front(face, squared_size_ratio(face));
+    for(Face_handle face : faces)
+      if(face->state() == Face_state::ACTIVE)
+        push_if_on_front(face, squared_size_ratio(face));
     for(std::size_t n = 1; !m_is_stopped && m_triangulation.number_of_vertices() < m_max_number_of_vertices; ++n) {
       const Face_handle face = m_queue.pop();
       if(face == Face_handle())
@@ -82,25 +84,6 @@ public:
   bool is_stopped() const { return m_is_stopped; }
 
 private:
-  // Along the boundary, by the indices of their vertices: in the order of the faces they would be as the triangulation was
-  // made.
-  std::vector<Face_handle> active_faces() const
-  {
-    typedef std::pair<std::array<std::size_t, 3>, Face_handle> Numbered_face;
-    std::vector<Numbered_face> faces;
-    for(Face_handle face : m_triangulation.finite_face_handles())
-      if(face->state() == Face_state::ACTIVE) {
-        faces.push_back({{face->vertex(0)->index(), face->vertex(1)->index(), face->vertex(2)->index()}, face});
-        std::sort(faces.back().first.begin(), faces.back().first.end());
-      }
-    std::stable_sort(faces.begin(), faces.end(),
-                     [](const Numbered_face& a, const Numbered_face& b) { return a.first < b.first; });
-    std::vector<Face_handle> result;
-    for(const Numbered_face& face : faces)
-      result.push_back(face.second);
-    return result;
-  }
-
   void report_progress()
   {
     m_visitor.on_progress(m_triangulation.number_of_vertices(), m_queue.size());

@@ -65,6 +65,7 @@ private:
   std::size_t m_number_of_boundary_vertices = 0;
   Refinement m_refine;
   const bool m_is_part;
+  bool m_has_taken_over = false; // a triangulation of the boundary
   Parametric_surface_mesh_report m_report;
 
 public:
@@ -99,7 +100,7 @@ public:
     Patch_improvement<Evaluator, Refinement> improve(m_triangulation, m_evaluator, m_criteria, m_report.seconds.improvement);
     in_phase("refinement", m_report.seconds.refinement, [&] {
       if(has_front)
-        m_refine.advance_front();
+        advance_front();
       m_refine.refine_by_shape();
     });
     if(improve.has_sweeps() && !m_refine.is_stopped())
@@ -154,6 +155,15 @@ private:
     refine_and_improve(m_criteria.placement() == Mesh_point_placement::FRONTAL);
   }
 
+  // So a triangulation that was taken over gives the same mesh however it was made.
+  void advance_front()
+  {
+    if(m_has_taken_over)
+      m_refine.advance_front(faces_along_boundary(m_triangulation));
+    else
+      m_refine.advance_front(m_triangulation.finite_face_handles());
+  }
+
   // `run`: makes a triangulator triangulate
   template <class Run>
   void triangulate(const Run& run)
@@ -162,6 +172,7 @@ private:
     run(triangulate);
     if(!m_is_part) // else they are counted for the patch
       m_report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
+    m_has_taken_over = triangulate.has_taken_over();
     m_number_of_boundary_vertices = triangulate.vertices().size();
     Pole_ring<Evaluator> insert_rings(m_triangulation, m_evaluator, m_boundary);
     insert_rings(m_loops);

@@ -70,10 +70,11 @@ public:
   {}
 
   // The first points, from the boundary inwards.
-  void advance_front()
+  template <class Faces>
+  void advance_front(const Faces& faces)
   {
     Advancing_front<Evaluator, Visitor> advance(m_triangulation, m_points, m_criteria.max_number_of_vertices(), m_visitor);
-    advance();
+    advance(faces);
     m_is_stopped = advance.is_stopped();
   }
 

@@ -12,6 +12,7 @@
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -57,6 +58,24 @@ struct Boundary_triangulation
   std::vector<typename Triangulation::Vertex_handle> vertices; // of the points, loop by loop
 };
 
+// The faces by the indices of their vertices, along the boundary.
+template <class Triangulation>
+std::vector<typename Triangulation::Face_handle> faces_along_boundary(const Triangulation& triangulation)
+{
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef std::pair<std::array<std::size_t, 3>, Face_handle> Numbered_face;
+  std::vector<Numbered_face> faces;
+  for(Face_handle face : triangulation.finite_face_handles()) {
+    faces.push_back({{face->vertex(0)->index(), face->vertex(1)->index(), face->vertex(2)->index()}, face});
+    std::sort(faces.back().first.begin(), faces.back().first.end());
+  }
+  std::stable_sort(faces.begin(), faces.end(), [](const Numbered_face& a, const Numbered_face& b) { return a.first < b.first; });
+  std::vector<Face_handle> result;
+  for(const Numbered_face& face : faces)
+    result.push_back(face.second);
+  return result;
+}
+
 /*
 Triangulates the divided boundary of a patch: the division's segments become constraints, faces are marked as inside or
 outside the domain.
@@ -82,6 +101,7 @@ private:
   std::vector<Point> m_points;
   std::vector<Vertex_handle> m_vertices;
   std::size_t m_number_of_replaced_tensors = 0;
+  bool m_has_taken_over = false;
 
 public:
   Boundary_triangulator(Triangulation& triangulation, const Boundary_loops<Kernel>& loops)
@@ -111,6 +131,9 @@ public:
   // the vertices of the points of the loops, loop by loop
   const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
 
+  // Whether the order of the faces is that in which another one has made them.
+  bool has_taken_over() const { return m_has_taken_over; }
+
   // how many boundary vertices have a tensor that was not positive definite
   std::size_t number_of_replaced_tensors() const { return m_number_of_replaced_tensors; }
 
@@ -128,6 +151,7 @@ private:
 
   void take_over(Boundary_triangulation<Kernel> given, const std::vector<Evaluated>& evaluated)
   {
+    m_has_taken_over = true;
     m_triangulation.swap(*given.triangulation);
     m_vertices = std::move(given.vertices);
     for(Vertex_handle vertex : m_vertices)
