@@ -6,6 +6,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Domain_tiles.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Front_queue.h>
+#include <CGAL/Parametric_surface_mesher/internal/Frontal_placement.h>
 #include <CGAL/Parametric_surface_mesher/internal/Inner_points.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Point_placement.h>
@@ -23,9 +24,8 @@ namespace internal {
 /*
 Frontal placement (Rebay 1993; for surfaces Engwirda and Ivers 2016): a face is done when its circumradius is near that of
 the equilateral triangle of the wanted size, and an edge between a face that is done, or the boundary, and one that is not
-is on the front. A new point makes a triangle of the wanted size with such an edge, as far as the circumcentre of the face
-behind it allows; its distances in space to the ends of the edge are set right by Newton steps in the domain. What the
-front leaves is for the refinement at circumcentres.
+is on the front. A new point makes a triangle of the wanted size with such an edge. What the front leaves is for the
+refinement at circumcentres.
 */
 template <class Evaluator, class Visitor>
 class Advancing_front
@@ -37,16 +37,12 @@ class Advancing_front
   typedef typename Inner_points::Vertex_handle Vertex_handle;
   typedef typename Inner_points::Point Point;
   typedef typename Inner_points::Candidate Candidate;
-  typedef typename Kernel::Point_2 Point_2;
 
   static constexpr double squared_done_ratio = 1.3 * 1.3; // of the circumradius to that of the equilateral triangle
-  static constexpr double squared_accepted_error = 0.01 * 0.01;
-  static constexpr double share_of_spacing = 0.8;
-  static constexpr double smallest_height = 0.3; // of a new triangle, by its side
-  static const int max_number_of_corrections = 2;
 
   Triangulation& m_triangulation;
   Inner_points& m_points;
+  const Frontal_placement<Inner_points> m_place;
   Visitor& m_visitor;
   const Domain_tiles m_tiles;
   Front_queue<Face_handle> m_queue;
@@ -56,7 +52,7 @@ class Advancing_front
 
 public:
   Advancing_front(Triangulation& triangulation, Inner_points& points, std::size_t max_number_of_vertices, Visitor& visitor)
-    : m_triangulation(triangulation), m_points(points), m_visitor(visitor),
+    : m_triangulation(triangulation), m_points(points), m_place(points), m_visitor(visitor),
       m_tiles(triangulation), m_queue(m_tiles.size()),
       m_max_number_of_vertices(max_number_of_vertices)
   {}
@@ -130,7 +126,7 @@ private:
     const Face_measures measures = face_measures(face, m_points.evaluate().oracle().metric());
     const int front = edge_on_front(face, measures);
     Candidate candidate;
-    if((front >= 0 && place(face, front, measures, candidate) && !is_too_close(candidate))
+    if((front >= 0 && m_place(face, front, measures, candidate) && !is_too_close(candidate))
        || (place_at_circumcenter(face, measures, candidate) && !is_too_close(candidate)))
       insert(candidate);
     else
@@ -160,78 +156,6 @@ private:
       }
     }
     return result;
-  }
-
-  // Where the surface allows less than the spacing of the edge's ends, the sides are to be between the two.
-  bool place(Face_handle face, int front, const Face_measures& measures, Candidate& candidate) const
-  {
-    const double spacing = 0.5 * (face->vertex((front + 1) % 3)->spacing() + face->vertex((front + 2) % 3)->spacing());
-    if(!place(face, front, measures, spacing, candidate))
-      return false;
-    const double limit = m_points.spacing_limit(candidate);
-    Candidate closer;
-    if(limit < share_of_spacing * spacing && place(face, front, measures, 0.5 * (spacing + limit), closer))
-      candidate = closer;
-    return true;
-  }
-
-  bool place(Face_handle face, int front, const Face_measures& measures, double side, Candidate& candidate) const
-  {
-    const Point &p = face->vertex((front + 1) % 3)->point(), &q = face->vertex((front + 2) % 3)->point();
-    const double quarter = measures.squared_lengths[front] / 4; // the square of half the edge
-    const double height = (std::min)(std::sqrt((std::max)(side * side - quarter, quarter)), height_of_circumcenter(measures, front));
-    if(!(height > smallest_height * side))
-      return false;
-    if(!m_points.locate(face, Point_placement<Kernel>::apex(p, q, height / (2 * std::sqrt(quarter))), candidate))
-      return false;
-    correct(p, q, height * height + quarter, candidate);
-    return true;
-  }
-
-  // by Newton steps, as long as they bring it closer
-  void correct(const Point& p, const Point& q, double squared_side, Candidate& candidate) const
-  {
-    double error = squared_error(candidate, p, q, squared_side);
-    for(int step = 0; step < max_number_of_corrections && error > squared_accepted_error; ++step) {
-      Candidate corrected;
-      if(!m_points.locate(candidate.location.face, corrected_position(candidate.position.point, p, q, squared_side), corrected))
-        break;
-      const double corrected_error = squared_error(corrected, p, q, squared_side);
-      if(!(corrected_error < error))
-        break;
-      candidate = corrected;
-      error = corrected_error;
-    }
-  }
-
-  // over the edge opposite to corner `i`; negative if the angle there is obtuse
-  static double height_of_circumcenter(const Face_measures& measures, int i)
-  {
-    const std::array<double, 3>& l = measures.squared_lengths;
-    const double height = std::sqrt((std::max)(0., measures.squared_circumradius - l[i] / 4));
-    return l[(i + 1) % 3] + l[(i + 2) % 3] > l[i] ? height : -height;
-  }
-
-  // of the distances to `p` and `q`, relative
-  double squared_error(const Candidate& candidate, const Point& p, const Point& q, double squared_side) const
-  {
-    const double a = m_points.squared_length(p, candidate.position.point) / squared_side - 1,
-                 b = m_points.squared_length(q, candidate.position.point) / squared_side - 1;
-    return 0.25 * (std::max)(a * a, b * b);
-  }
-
-  // A Newton step for the squared distances in space to `p` and `q`, whose derivatives the tensor gives: by half, M(x - p)
-  // and M(x - q).
-  Point_2 corrected_position(const Point& x, const Point& p, const Point& q, double squared_side) const
-  {
-    const Metric_tensor_2& m = x.tensor();
-    const double pu = x.x() - p.x(), pv = x.y() - p.y(), qu = x.x() - q.x(), qv = x.y() - q.y();
-    const double a0 = m.e() * pu + m.f() * pv, a1 = m.f() * pu + m.g() * pv;
-    const double b0 = m.e() * qu + m.f() * qv, b1 = m.f() * qu + m.g() * qv;
-    const double determinant = a0 * b1 - a1 * b0;
-    const double a = 0.5 * (squared_side - m_points.squared_length(p, x)),
-                 b = 0.5 * (squared_side - m_points.squared_length(q, x));
-    return Point_2(x.x() + (a * b1 - b * a1) / determinant, x.y() + (b * a0 - a * b0) / determinant);
   }
 
   // to a vertex, or an edge of the boundary
