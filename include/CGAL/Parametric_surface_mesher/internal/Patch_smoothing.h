@@ -36,6 +36,7 @@ class Patch_smoothing
   typedef typename Evaluator::Oracle::Metric_field Metric_field;
 
   static constexpr double quality_of_perfect_star = 0.998;
+  static constexpr double shortest_move = 0.02; // by the spacing: shorter ones gain less than they cost
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
@@ -77,7 +78,7 @@ private:
     if(before.mean_ratio > quality_of_perfect_star)
       return false;
     const Point_2 target = m_star.mean_of_apices();
-    if(!m_star.is_around(target))
+    if(is_near(vertex->point(), target, shortest_move * vertex->spacing()) || !m_star.is_around(target))
       return false;
     const Point point = m_evaluate.position(target, vertex->spacing()).point;
     const Star_shape after = m_star.shape(point);
@@ -86,6 +87,11 @@ private:
       return false;
     m_star.move_to(point);
     return true;
+  }
+
+  static bool is_near(const Point& p, const Point_2& target, double distance)
+  {
+    return p.tensor().squared_length(target.x() - p.x(), target.y() - p.y()) < distance * distance;
   }
 
   // no triangle too large, and no edge too short, or more so than now
