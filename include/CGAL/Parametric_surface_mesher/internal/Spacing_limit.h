@@ -29,15 +29,25 @@ class Spacing_limit
 
   static constexpr double trusted_share = 0.3; // of the limit by the curvature of the surface
 
+  // A chord of length L has deviation ratio H/L = L kappa / 8 and arc height L^2 kappa / 8. The factor 7 in place of 8
+  // leaves room for edges longer than the spacing; measured on a steep peak, it saves most of the splits by deviation.
+  static constexpr double chord_factor = 7;
+
   const Oracle& m_oracle;
   const Parametric_surface_mesh_criteria& m_criteria;
   Bbox_2 m_box;
+  double m_harmless_curvature; // the largest that allows the maximum edge
 
 public:
   // no point outside `box` is evaluated; if it is empty the curvature of lines always counts
   Spacing_limit(const Oracle& oracle, const Parametric_surface_mesh_criteria& criteria, const Bbox_2& box)
-    : m_oracle(oracle), m_criteria(criteria), m_box(box)
-  {}
+    : m_oracle(oracle), m_criteria(criteria), m_box(box),
+      m_harmless_curvature(chord_factor * criteria.gamma() / criteria.max_edge())
+  {
+    if(criteria.distance() > 0)
+      m_harmless_curvature
+        = (std::min)(m_harmless_curvature, chord_factor * criteria.distance() / square(criteria.max_edge()));
+  }
 
   double operator()(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
   {
@@ -52,7 +62,7 @@ public:
   // without the sizing field
   double by_curvature(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
   {
-    if(jet.duu == NULL_VECTOR && jet.duv == NULL_VECTOR && jet.dvv == NULL_VECTOR)
+    if(is_nearly_straight(jet))
       return m_criteria.max_edge();
     const double limit = limit_for(Surface_curvature_3<Kernel>(jet).max_absolute_curvature());
     // No vertex will be much closer to a singular point than this: then there is no limit, as at the point itself. Around an
@@ -67,16 +77,25 @@ public:
   }
 
 private:
-  // A chord of length L has deviation ratio H/L = L kappa / 8 and arc height L^2 kappa / 8. The factor 7 in place of 8
-  // leaves room for edges longer than the spacing; measured on a steep peak, it saves most of the splits by deviation.
   double limit_for(double curvature) const
   {
     double limit = m_criteria.max_edge();
-    if(curvature * limit > 7 * m_criteria.gamma())
-      limit = 7 * m_criteria.gamma() / curvature;
-    if(m_criteria.distance() > 0 && curvature * limit * limit > 7 * m_criteria.distance())
-      limit = std::sqrt(7 * m_criteria.distance() / curvature);
+    if(curvature * limit > chord_factor * m_criteria.gamma())
+      limit = chord_factor * m_criteria.gamma() / curvature;
+    if(m_criteria.distance() > 0 && curvature * limit * limit > chord_factor * m_criteria.distance())
+      limit = std::sqrt(chord_factor * m_criteria.distance() / curvature);
     return limit;
+  }
+
+  // Whether no curvature can limit the spacing: neither that of the surface nor that of a line in any direction is above
+  //   (g |S_uu| + 2 sqrt(e g) |S_uv| + e |S_vv|) / (e g - f^2),
+  // as the components of a unit vector are at most sqrt(g / (e g - f^2)) and sqrt(e / (e g - f^2)). The square of this bound
+  // costs little.
+  bool is_nearly_straight(const Surface_jet_3<Kernel>& jet) const
+  {
+    const double e = jet.du * jet.du, f = jet.du * jet.dv, g = jet.dv * jet.dv;
+    const double bound = 4 * (g * g * (jet.duu * jet.duu) + 2 * e * g * (jet.duv * jet.duv) + e * e * (jet.dvv * jet.dvv));
+    return bound <= square(m_harmless_curvature * (e * g - f * f));
   }
 
   // Close to where the parametrisation is singular the lines bend more and more, although the surface does not. Their
