@@ -3,6 +3,8 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_RECENT_VALUES_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_RECENT_VALUES_H
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -27,7 +29,8 @@ class Recent_values
   std::vector<Entry> m_entries;
 
 public:
-  explicit Recent_values(std::size_t size) : m_entries(size) {}
+  // \pre `size` is a power of two, or 0 if nobody will ask
+  explicit Recent_values(std::size_t size) : m_entries(size) { CGAL_precondition((size & (size - 1)) == 0); }
 
   template <class Function>
   const Value& operator()(const Point_2& p, const Function& function)
@@ -46,7 +49,7 @@ private:
   std::size_t place(const Point_2& p) const
   {
     const std::uint64_t product = 0x9e3779b97f4a7c15u * (bits(p.x()) + 3 * bits(p.y()));
-    return std::size_t(product >> 32) % m_entries.size();
+    return std::size_t(product >> 32) & (m_entries.size() - 1);
   }
 
   static std::uint64_t bits(double x)
