@@ -30,7 +30,7 @@ class Frontal_placement
   typedef typename Inner_points::Candidate Candidate;
   typedef typename Kernel::Point_2 Point_2;
 
-  static constexpr double squared_accepted_error = 0.01 * 0.01;
+  static constexpr double squared_accepted_error = 0.005 * 0.005;
   static constexpr double share_of_spacing = 0.8;
   static constexpr double smallest_height = 0.3; // of a new triangle, by its side
   static const int max_number_of_corrections = 2;
