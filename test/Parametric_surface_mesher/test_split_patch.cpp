@@ -93,7 +93,8 @@ class Split_patch : public testing::TestWithParam<std::string>
 // the unit square with a narrow channel from one side: parts of it meet along three sides of the channel
 Domain horseshoe()
 {
-  return Domain({Point_2(0, 0), Point_2(1, 0), Point_2(1, 1), Point_2(0.6, 1), Point_2(0.6, 0.3), Point_2(0.4, 0.3), Point_2(0.4, 1), Point_2(0, 1)});
+  return Domain({Point_2(0, 0), Point_2(1, 0), Point_2(1, 1), Point_2(0.6, 1), Point_2(0.6, 0.3), Point_2(0.4, 0.3),
+                 Point_2(0.4, 1), Point_2(0, 1)});
 }
 
 } // namespace
@@ -241,7 +242,11 @@ TEST(Split_patch_report, names_the_right_triangles)
   const Sample sample = make_sample("peak");
   const double bound = 36;
   const Result split = mesh_sample(
-    sample, criteria_of(sample, part_size).set_angle(bound).set_improvement_angle(0).set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER).set_max_number_of_sweeps(0));
+    sample, criteria_of(sample, part_size)
+              .set_angle(bound)
+              .set_improvement_angle(0)
+              .set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER)
+              .set_max_number_of_sweeps(0));
   EXPECT_GE(split.number_of_parts, 4u);
   ASSERT_FALSE(split.report.unmet.empty());
   std::vector<bool> is_reported(split.mesh.number_of_faces(), false);
@@ -328,7 +333,8 @@ TEST(Split_patch_report, error_in_a_part)
   std::vector<std::string> errors;
   for(const int number_of_threads : {1, 4, 4}) {
     try {
-      mesh_patch<CGAL::Parallel_tag>(Throwing_surface(), make_sample("flat").domain, Criteria().set_max_edge(0.005).set_part_size(part_size), number_of_threads);
+      mesh_patch<CGAL::Parallel_tag>(Throwing_surface(), make_sample("flat").domain,
+                                     Criteria().set_max_edge(0.005).set_part_size(part_size), number_of_threads);
     }
     catch(const std::domain_error& error) {
       errors.push_back(error.what());

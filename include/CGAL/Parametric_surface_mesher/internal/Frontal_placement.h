@@ -59,7 +59,8 @@ private:
   {
     const Point &p = face->vertex((front + 1) % 3)->point(), &q = face->vertex((front + 2) % 3)->point();
     const double quarter = measures.squared_lengths[front] / 4; // the square of half the edge
-    const double height = (std::min)(std::sqrt((std::max)(side * side - quarter, quarter)), height_of_circumcenter(measures, front));
+    const double height
+      = (std::min)(std::sqrt((std::max)(side * side - quarter, quarter)), height_of_circumcenter(measures, front));
     if(!(height > smallest_height * side))
       return false;
     const double squared_side = height * height + quarter;
@@ -106,8 +107,9 @@ private:
   {
     double error = squared_error(candidate, p, q, squared_side);
     for(int step = 0; step < max_number_of_corrections && error > squared_accepted_error; ++step) {
+      const Point_2 position = corrected_position(candidate.position.point, p, q, squared_side);
       Candidate corrected;
-      if(!m_points.locate(candidate.location.face, corrected_position(candidate.position.point, p, q, squared_side), corrected))
+      if(!m_points.locate(candidate.location.face, position, corrected))
         break;
       const double corrected_error = squared_error(corrected, p, q, squared_side);
       if(!(corrected_error < error))

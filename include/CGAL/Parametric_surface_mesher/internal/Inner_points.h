@@ -69,7 +69,8 @@ public:
        && candidate.location.face->is_constrained(candidate.location.index))
       return false;
     const Face_handle face = candidate.location.face;
-    candidate.position = m_evaluate.position(uv, (face->vertex(0)->spacing() + face->vertex(1)->spacing() + face->vertex(2)->spacing()) / 3);
+    const double spacing = (face->vertex(0)->spacing() + face->vertex(1)->spacing() + face->vertex(2)->spacing()) / 3;
+    candidate.position = m_evaluate.position(uv, spacing);
     return true;
   }
 

@@ -3,11 +3,11 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_REPAIR_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_REPAIR_H
 
-#include <CGAL/Mesh_2/Face_badness.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/Edge_flip.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_turning.h>
+#include <CGAL/Parametric_surface_mesher/internal/Failure_count.h>
 #include <CGAL/Parametric_surface_mesher/internal/Kept_states.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_removal.h>
@@ -57,15 +57,12 @@ class Patch_repair
 
   // of the squared sine
   static constexpr double least_gain = 1.01, least_gain_of_many = 1.2;
-  static constexpr double share_of_near = 1.3;      // 35 degrees, for a criterion of 30
-  static constexpr double share_of_far_below = 0.6; // 23 degrees
-  static constexpr double share_of_needles = 0.46;  // 20 degrees
+  static constexpr double share_of_near = 1.3; // 35 degrees, for a criterion of 30
 
   static constexpr double share_of_few = 0.1; // of the faces
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
-  const IsBad& m_is_bad;
   double m_squared_sine, m_squared_sine_of_criterion, m_squared_min_edge;
   double m_least_gain = least_gain; // for the face that is repaired
   bool m_are_poor_few = true;       // of the faces
@@ -73,6 +70,7 @@ class Patch_repair
   Star m_star;
   Kept_states<Face_handle> m_states;
   Face_turning<Evaluator> m_turn_over;
+  const Failure_count<Evaluator, IsBad> m_number_of_failures;
   std::deque<Face_handle> m_queue;
   std::unordered_set<Face_handle> m_removed; // faces
   std::vector<Point_2> m_apices;
@@ -81,13 +79,14 @@ class Patch_repair
 public:
   Patch_repair(Triangulation& triangulation, const Evaluator& evaluate, const IsBad& is_bad,
                const Parametric_surface_mesh_criteria& criteria)
-    : m_triangulation(triangulation), m_evaluate(evaluate), m_is_bad(is_bad),
+    : m_triangulation(triangulation), m_evaluate(evaluate),
       m_squared_sine(square(std::sin(criteria.improvement_angle() * std::atan(1.) / 45))),
       m_squared_sine_of_criterion(square(std::sin(criteria.angle() * std::atan(1.) / 45))),
       m_squared_min_edge(square(criteria.min_edge())),
       m_is_full(triangulation.number_of_vertices() >= criteria.max_number_of_vertices()),
       m_star(triangulation, evaluate.oracle().metric()),
-      m_turn_over(triangulation, evaluate, m_squared_min_edge)
+      m_turn_over(triangulation, evaluate, m_squared_min_edge),
+      m_number_of_failures(is_bad, m_turn_over, m_squared_sine_of_criterion)
   {}
 
   // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more
@@ -118,16 +117,6 @@ private:
   bool is_poor(Face_handle face) const
   {
     return face->state() == Face_state::BLOCKED || (m_squared_sine > 0 && squared_sine(face) < m_squared_sine);
-  }
-
-  // A face on the wrong side is worse than one with a small angle, which it may have, too.
-  Mesh_2::Face_badness badness(Face_handle face) const
-  {
-    if(is_collapsed(face))
-      return Mesh_2::NOT_BAD;
-    typename IsBad::Quality quality;
-    const Mesh_2::Face_badness found = m_is_bad(face, quality);
-    return found == Mesh_2::BAD && m_turn_over.is_inverted(face) ? Mesh_2::IMPERATIVELY_BAD : found;
   }
 
   // of the queue; returns none if it was removed
@@ -187,7 +176,7 @@ private:
       for(int i = 0; i < 3; ++i)
         if(!face->vertex(i)->is_on_boundary() && remove_if_better(face->vertex(i)))
           return;
-    if(squared_sine(face) < share_of_needles * m_squared_sine_of_criterion) // one that much is in the way of
+    if(m_number_of_failures.is_needle(squared_sine(face))) // one that much is in the way of
       for(int i = 0; i < 3; ++i)
         if(!face->vertex(i)->is_on_boundary() && move_if_better(face->vertex(i), {0.05, 0.02}))
           return;
@@ -210,7 +199,7 @@ private:
   bool turn_over(Face_handle face)
   {
     const std::vector<Face_handle>& changed = m_turn_over(face);
-    number_of_failures(changed, 1); // their states are known then
+    m_number_of_failures.examine(changed);
     add_around(changed);
     return !changed.empty();
   }
@@ -227,45 +216,6 @@ private:
     }
   }
 
-  // How many fail a criterion; one that fails another one than the angle counts more than a whole star that fails that. To
-  // raise a smallest angle far below the criterion, others beside the boundary may get below it; those in the midst of the
-  // mesh, where most often there is a better way, for that of a needle alone. Above `limit` the count may stop; else the
-  // state of all faces is known after it.
-  template <class Faces>
-  std::size_t number_of_failures(const Faces& faces, double squared_smallest_sine, std::size_t limit = std::size_t(-1)) const
-  {
-    const bool is_far_below = squared_smallest_sine < share_of_far_below * m_squared_sine_of_criterion;
-    const bool is_needle = squared_smallest_sine < share_of_needles * m_squared_sine_of_criterion;
-    std::size_t result = 0;
-    for(Face_handle face : faces) {
-      if(face->state() == Face_state::GOOD)
-        continue;
-      const Mesh_2::Face_badness found = badness(face);
-      face->set_state(found == Mesh_2::NOT_BAD ? Face_state::GOOD : Face_state::BLOCKED);
-      if(found == Mesh_2::IMPERATIVELY_BAD)
-        result += 1000;
-      else if(found == Mesh_2::BAD && !is_needle && !(is_far_below && is_beside_boundary(face)))
-        ++result;
-      if(result > limit)
-        break;
-    }
-    return result;
-  }
-
-  static bool touches_boundary(Face_handle face)
-  {
-    return face->vertex(0)->is_on_boundary() || face->vertex(1)->is_on_boundary() || face->vertex(2)->is_on_boundary();
-  }
-
-  // itself or a neighbour
-  static bool is_beside_boundary(Face_handle face)
-  {
-    for(int i = 0; i < 3; ++i)
-      if(face->neighbor(i) != Face_handle() && touches_boundary(face->neighbor(i)))
-        return true;
-    return touches_boundary(face);
-  }
-
   bool flip_if_better(Face_handle face, int i)
   {
     if(face->is_constrained(i))
@@ -277,10 +227,10 @@ private:
     if(!(edge.worst_after(metric, sine) > m_least_gain * worst) || !edge.is_valid())
       return false;
     const auto faces = edge.faces();
-    const std::size_t failures = number_of_failures(faces, worst);
+    const std::size_t failures = m_number_of_failures(faces, worst);
     m_states.keep(faces);
     edge.flip();
-    if(number_of_failures(faces, worst, failures) <= failures) {
+    if(m_number_of_failures(faces, worst, failures) <= failures) {
       add_around(faces);
       return true;
     }
@@ -294,24 +244,23 @@ private:
   {
     m_star.collect(vertex);
     const Point old_point = vertex->point();
-    const double old_sine = m_star.squared_smallest_sine(old_point);
-    collect_candidates(vertex, m_least_gain * old_sine, shares);
+    const double old_sine = m_star.squared_smallest_sine(old_point), least = m_least_gain * old_sine;
+    collect_candidates(vertex, least, shares);
     std::size_t failures = 0;
     bool is_tried = false;
     for(const Candidate& candidate : m_candidates) {
       if(!m_star.is_around(candidate.position))
         continue;
       const Point point = m_evaluate.position(candidate.position, vertex->spacing()).point;
-      const double least = m_least_gain * old_sine;
       if(!(m_star.squared_smallest_sine(point, least) > least) || !m_star.is_far_enough(point, old_point, m_squared_min_edge))
         continue;
       if(!is_tried) {
-        failures = number_of_failures(m_star.faces(), old_sine);
+        failures = m_number_of_failures(m_star.faces(), old_sine);
         m_states.keep(m_star.faces());
         is_tried = true;
       }
       m_star.try_at(point);
-      if(number_of_failures(m_star.faces(), old_sine, failures) <= failures) {
+      if(m_number_of_failures(m_star.faces(), old_sine, failures) <= failures) {
         m_star.unsettle_ring();
         add_around(m_star.faces());
         return true;
@@ -328,7 +277,7 @@ private:
   {
     m_star.collect(vertex);
     const double worst = m_star.squared_smallest_sine(vertex->point());
-    const std::size_t failures = number_of_failures(m_star.faces(), worst);
+    const std::size_t failures = m_number_of_failures(m_star.faces(), worst);
     m_states.keep(m_star.faces());
     const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
     Vertex_removal<Triangulation> removal(m_triangulation, vertex);
@@ -343,13 +292,14 @@ private:
   }
 
   // \pre three faces are left at the vertex
-  bool is_better_without(Vertex_handle vertex, Vertex_removal<Triangulation>& removal, double worst, std::size_t failures) const
+  bool is_better_without(Vertex_handle vertex, Vertex_removal<Triangulation>& removal, double worst,
+                         std::size_t failures) const
   {
     std::vector<Face_handle> faces = faces_without(vertex);
     return removal.with_last_face([&](Face_handle last) {
       faces.push_back(last);
       return !is_collapsed(last) && !m_turn_over.is_inverted(last) && squared_sine(last) > m_least_gain * worst
-             && number_of_failures(faces, worst, failures) <= failures;
+             && m_number_of_failures(faces, worst, failures) <= failures;
     });
   }
 
@@ -362,7 +312,7 @@ private:
     std::copy_if(faces.begin(), faces.end(), std::inserter(m_removed, m_removed.end()),
                  [=](Face_handle face) { return face != last; });
     changed.push_back(last);
-    number_of_failures(changed, 1); // their states are known then
+    m_number_of_failures.examine(changed);
     add_around(changed);
   }
 

@@ -177,7 +177,8 @@ private:
   // much smaller inside.
   bool may_be_split() const
   {
-    const double number_of_edges = double(number_of_vertices<Kernel>(m_boundary.loops())), part_size = double(m_criteria.part_size());
+    const double number_of_edges = double(number_of_vertices<Kernel>(m_boundary.loops()));
+    const double part_size = double(m_criteria.part_size());
     const bool has_chart = !m_boundary.chart().is_identity();
     if(part_size == 0 || (!has_chart && !m_oracle.singular_points().empty())
        || 0.5 * number_of_edges * number_of_edges < part_size)

@@ -315,9 +315,9 @@ private:
   // the number of vertices is limited for all faces together
   Criteria criteria_of_face(std::size_t face, const Loops& loops, std::size_t number_of_vertices) const
   {
-    const std::size_t limit = m_criteria.max_number_of_vertices();
+    const std::size_t limit = m_criteria.max_number_of_vertices(), own = internal::number_of_vertices<Kernel>(loops);
     Criteria result = internal::criteria_of_face(m_criteria, m_model.faces()[face]);
-    result.set_max_number_of_vertices(limit - (std::min)(limit, number_of_vertices) + internal::number_of_vertices<Kernel>(loops));
+    result.set_max_number_of_vertices(limit - (std::min)(limit, number_of_vertices) + own);
     return result;
   }
 };

@@ -69,7 +69,8 @@ std::vector<typename Triangulation::Face_handle> faces_along_boundary(const Tria
     faces.push_back({{face->vertex(0)->index(), face->vertex(1)->index(), face->vertex(2)->index()}, face});
     std::sort(faces.back().first.begin(), faces.back().first.end());
   }
-  std::stable_sort(faces.begin(), faces.end(), [](const Numbered_face& a, const Numbered_face& b) { return a.first < b.first; });
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const Numbered_face& a, const Numbered_face& b) { return a.first < b.first; });
   std::vector<Face_handle> result;
   for(const Numbered_face& face : faces)
     result.push_back(face.second);
@@ -95,6 +96,8 @@ public:
   typedef Evaluated_point<Kernel> Evaluated;
 
 private:
+  static constexpr double rounding_of_tensors = 1e-6; // relative, of those of a cylinder
+
   Triangulation& m_triangulation;
   const Boundary_loops<Kernel>& m_loops;
   std::vector<std::size_t> m_starts; // of the loops in the arrays below
@@ -122,7 +125,7 @@ public:
   {
     CGAL_precondition(given.vertices.size() == number_of_vertices<Kernel>(m_loops));
     const std::vector<Evaluated> evaluated = evaluate_all(evaluate);
-    if(have_similar_tensors(evaluated))
+    if(have_one_tensor(evaluated, rounding_of_tensors))
       take_over(std::move(given), evaluated);
     else
       triangulate(evaluated);
@@ -140,7 +143,7 @@ public:
 private:
   void triangulate(const std::vector<Evaluated>& evaluated)
   {
-    const bool is_uniform = have_one_tensor(evaluated);
+    const bool is_uniform = have_one_tensor(evaluated, 0);
     insert_points(is_uniform ? evaluated.front().point.tensor() : mean_tensor(evaluated));
     insert_constraints();
     mark_domain();
@@ -180,17 +183,9 @@ private:
     return result;
   }
 
-  // as those of a plane do
-  static bool have_one_tensor(const std::vector<Evaluated>& evaluated)
+  // but for a relative tolerance
+  static bool have_one_tensor(const std::vector<Evaluated>& evaluated, double tolerance)
   {
-    return std::all_of(evaluated.begin(), evaluated.end(),
-                       [&](const Evaluated& e) { return e.point.tensor() == evaluated.front().point.tensor(); });
-  }
-
-  // as those of a cylinder do, but for rounding
-  static bool have_similar_tensors(const std::vector<Evaluated>& evaluated)
-  {
-    const double tolerance = 1e-6;
     const Metric_tensor_2 first = evaluated.front().point.tensor();
     return std::all_of(evaluated.begin(), evaluated.end(), [&](const Evaluated& e) {
       const Metric_tensor_2 t = e.point.tensor();
