@@ -18,7 +18,7 @@ template <class Evaluator, class IsBad>
 class Failure_count
 {
   static constexpr double share_of_far_below = 0.6; // of the squared sine of the criterion: 23 degrees, for one of 30
-  static constexpr double share_of_needles = 0.46;  // 20 degrees
+  static constexpr double share_of_needles = 0.47;  // 20 degrees
 
   const IsBad& m_is_bad;
   const Face_turning<Evaluator>& m_turn_over;
