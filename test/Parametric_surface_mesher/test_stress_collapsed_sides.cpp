@@ -201,7 +201,7 @@ TEST_P(Pointed_cones, good_around_the_apex_of_a_split_patch)
   expect_good_apex(GetParam(), Criteria().set_part_size(600));
 }
 
-INSTANTIATE_TEST_SUITE_P(Stress, Pointed_cones, testing::Values(18, 19, 20, 21, 22, 24, 26),
+INSTANTIATE_TEST_SUITE_P(Stress, Pointed_cones, testing::Values(18, 19, 20, 21, 22, 24, 25, 26),
                          [](const auto& info) { return "half_angle_of_" + std::to_string(info.param) + "_degrees"; });
 
 // no room for 30 degrees: three triangles with the angle that there is, or what refinement makes of them

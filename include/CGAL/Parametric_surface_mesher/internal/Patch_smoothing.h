@@ -54,7 +54,7 @@ public:
   {
     std::size_t number_of_moves = 0;
     for_each_vertex_with_lookahead(m_triangulation, [&](Vertex_handle vertex) {
-      if(!vertex->is_on_boundary() && !vertex->is_settled())
+      if(!vertex->is_on_boundary() && !vertex->is_settled() && !vertex->is_kept())
         number_of_moves += smooth(vertex);
     });
     for(Face_handle face : m_triangulation.finite_face_handles())

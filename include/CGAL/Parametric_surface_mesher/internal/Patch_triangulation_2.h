@@ -25,7 +25,7 @@ class Patch_vertex_base_2
 {
   double m_spacing = 0;
   std::size_t m_index = 0;
-  bool m_is_on_boundary = false, m_is_settled = false;
+  bool m_is_on_boundary = false, m_is_settled = false, m_is_kept = false;
 
 public:
   using Base::Base;
@@ -46,6 +46,10 @@ public:
   // Whether smoothing has nothing to do here as long as the star stays.
   bool is_settled() const { return m_is_settled; }
   void set_settled(bool b) { m_is_settled = b; }
+
+  // Whether smoothing leaves it where it was placed.
+  bool is_kept() const { return m_is_kept; }
+  void set_kept(bool b) { m_is_kept = b; }
 };
 
 // What the refinement found when it last looked at a face.

@@ -21,7 +21,7 @@ namespace internal {
 
 // The first inner points of a patch with poles: around each pole, between its neighbours on the boundary, so that
 // triangles of equal angles of about 60 degrees meet there. Around the apex of a pointed cone only a few have room, and
-// refinement rarely finds them.
+// refinement rarely finds them; sweeps of smoothing leave them as they are.
 template <class Evaluator>
 class Pole_ring
 {
@@ -103,6 +103,7 @@ private:
     const Vertex_handle vertex = location.kind == Location::IN_FACE
                                    ? m_insertion.insert_in_face(evaluated.point, location.face)
                                    : m_insertion.insert_in_edge(evaluated.point, location.face, location.index);
+    vertex->set_kept(is_pointed);
     vertex->set_spacing(is_pointed ? radius : (std::min)(radius, evaluated.spacing_limit));
   }
 };

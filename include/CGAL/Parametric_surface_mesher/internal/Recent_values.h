@@ -3,8 +3,6 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_RECENT_VALUES_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_RECENT_VALUES_H
 
-#include <CGAL/assertions.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -29,8 +27,14 @@ class Recent_values
   std::vector<Entry> m_entries;
 
 public:
-  // \pre `size` is a power of two, or 0 if nobody will ask
-  explicit Recent_values(std::size_t size) : m_entries(size) { CGAL_precondition((size & (size - 1)) == 0); }
+  // `size`: of the table, at least; 0 if nobody will ask
+  explicit Recent_values(std::size_t size)
+  {
+    std::size_t power = 1; // so that places are found without a division
+    while(power < size)
+      power *= 2;
+    m_entries.resize(size == 0 ? 0 : power);
+  }
 
   template <class Function>
   const Value& operator()(const Point_2& p, const Function& function)
