@@ -88,3 +88,13 @@ TEST(Spacing_limit, flat)
                         Jet{Point_3(0, 0, 0), zero, zero, zero, zero, zero}})
     EXPECT_EQ(3, limit(jet, Criteria().set_max_edge(3)));
 }
+
+// Curvature does not depend on the unit of the parameters, whatever underflows on the way.
+TEST(Spacing_limit, in_any_unit_of_the_domain)
+{
+  for(double unit : {1e-45, 1e-20, 1., 1e20, 1e45}) {
+    const Vector_3 bend(0, 0, unit * unit);
+    const Jet jet{Point_3(0, 0, 0), Vector_3(unit, 0, 0), Vector_3(0, unit, 0), bend, Vector_3(0, 0, 0), bend};
+    EXPECT_NEAR(0.7, limit(jet, Criteria().set_gamma(0.1).set_max_edge(10)), 1e-12) << unit;
+  }
+}

@@ -34,7 +34,6 @@ class Advancing_front
   typedef internal::Inner_points<Evaluator> Inner_points;
   typedef typename Inner_points::Triangulation Triangulation;
   typedef typename Inner_points::Face_handle Face_handle;
-  typedef typename Inner_points::Vertex_handle Vertex_handle;
   typedef typename Inner_points::Point Point;
   typedef typename Inner_points::Candidate Candidate;
 

@@ -94,7 +94,8 @@ private:
                  from_q = to_q.squared_length(x.x() - q.x(), x.y() - q.y());
     if(!(is_similar(from_p, squared_side) && is_similar(from_q, squared_side)))
       return x;
-    return newton_step(x, p, to_p, squared_side - from_p, q, to_q, squared_side - from_q);
+    const Point_2 result = newton_step(x, p, to_p, squared_side - from_p, q, to_q, squared_side - from_q);
+    return std::isfinite(result.x() + result.y()) ? result : x; // tensors that are continued may have any determinant
   }
 
   static bool is_similar(double squared_length, double squared_side)

@@ -62,7 +62,7 @@ public:
   // without the sizing field
   double by_curvature(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
   {
-    if(is_nearly_straight(jet))
+    if((jet.duu == NULL_VECTOR && jet.duv == NULL_VECTOR && jet.dvv == NULL_VECTOR) || is_nearly_straight(jet))
       return m_criteria.max_edge();
     const double limit = limit_for(Surface_curvature_3<Kernel>(jet).max_absolute_curvature());
     // No vertex will be much closer to a singular point than this: then there is no limit, as at the point itself. Around an
@@ -95,7 +95,7 @@ private:
   {
     const double e = jet.du * jet.du, f = jet.du * jet.dv, g = jet.dv * jet.dv;
     const double bound = 4 * (g * g * (jet.duu * jet.duu) + 2 * e * g * (jet.duv * jet.duv) + e * e * (jet.dvv * jet.dvv));
-    return bound <= square(m_harmless_curvature * (e * g - f * f));
+    return bound < square(m_harmless_curvature * (e * g - f * f)); // not if both are 0 or infinite by rounding
   }
 
   // Close to where the parametrisation is singular the lines bend more and more, although the surface does not. Their
