@@ -23,7 +23,7 @@ namespace internal {
 /*
 The strips along the cuts between the meshed parts of a patch, one for each seam: all triangles within some rings around its
 points, which leave the parts. In a strip the points of the cut are inner vertices, as others; fixed are the boundary and the
-border, vertices that a strip shares with a part or another strip. Where a point of a cut lies on such a border it stays one
+border, vertices that a strip shares with a part or another strip. Smoothing leaves those beside the border where they are. Where a point of a cut lies on such a border it stays one
 of those that are fixed.
 
 The order of the work: `take_out()` for each part, at the same time if wanted; `connect()`; `triangulate()` for each
@@ -145,6 +145,7 @@ public:
         make.set_neighbor(k, i, neighbor(from.first, m_taken[from.first][from.second->number()], i));
     }
     make.close();
+    keep_beside_border(triangulation);
     return make.number_of_vertices_on_boundary();
   }
 
@@ -251,6 +252,18 @@ private:
             vertex->set_index(m_parts.first_index() + m_border.size());
             m_border.push_back(vertex->point());
           }
+        }
+  }
+
+  // Triangles that have a vertex on the border, which is jagged, are good as they came out of their parts; once smoothing
+  // has moved their inner vertices a few cannot be repaired.
+  void keep_beside_border(Triangulation& triangulation) const
+  {
+    for(Face_handle face : triangulation.finite_face_handles())
+      for(int i = 0; i < 3; ++i)
+        if(face->vertex(i)->is_on_boundary() && face->vertex(i)->index() >= m_parts.first_index()) {
+          face->vertex(Triangulation::cw(i))->set_kept(true);
+          face->vertex(Triangulation::ccw(i))->set_kept(true);
         }
   }
 

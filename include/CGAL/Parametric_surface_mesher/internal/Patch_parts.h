@@ -20,8 +20,8 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 /*
-The parts of a large patch: it is cut in two, and so are its parts, until none has more triangles than it may, or no good cut
-is found. Depends on the input alone.
+The parts of a patch with more triangles than it may have: it is cut in two, and so are its parts, until none has more than
+half as many, or no good cut is found. Depends on the input alone.
 
 Points of cuts have indices from `first_index()` on. Each belongs to a seam, where the trace of the cut will be removed: that
 of its cut or, close to where cuts meet, that of the meeting point.
@@ -34,6 +34,7 @@ class Patch_parts
   typedef std::vector<std::size_t> Chain; // indices of nodes
 
   static const std::size_t no_seam = std::size_t(-1);
+  static constexpr double share_of_part = 0.5; // of what a patch may have: it suits caches
   static const std::size_t reach_of_meeting_point = 8; // along the cuts, in edges
 
   std::size_t m_first_index = 0, m_number_of_seams = 0;
@@ -46,13 +47,14 @@ public:
   Patch_parts(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch, const Boundary_loops<Kernel>& loops,
               double max_weight)
   {
+    const double max_weight_of_part = share_of_part * max_weight;
     std::vector<Region> stack(1, region_of_patch(evaluate, sketch, loops));
     const Region_cutter<Evaluator> find_cut(evaluate, sketch);
     while(!stack.empty()) {
       Region region = std::move(stack.back());
       stack.pop_back();
       std::vector<Region> parts;
-      if(region.weight() > max_weight) {
+      if(region.weight() > (m_chains.empty() ? max_weight : max_weight_of_part)) {
         Cut cut = find_cut(region);
         number_nodes(cut);
         parts = Region_division<Kernel>(region, cut)();

@@ -50,7 +50,7 @@ class Split_patch_mesher
   typedef Boundary_loops<Kernel> Loops;
   typedef Boundary_vertex<Kernel> Shared_vertex; // its index is that in the mesh, once it is there
 
-  static constexpr double triangles_of_part_in_sketch = 300;
+  static constexpr double triangles_in_sketch = 600; // of a patch just large enough to be split
   static constexpr double most_triangles_by_boundary = 3; // over the number that the boundary tells
   static const std::size_t not_shared = std::size_t(-1);
 
@@ -232,7 +232,7 @@ private:
     const typename Mesher::Charted_oracle oracle(surface, m_oracle.metric(), m_oracle.singular_points());
     const Criteria criteria = chart_criteria(m_criteria, m_boundary.chart());
     const Evaluator evaluate(oracle, criteria, m_boundary.box());
-    const double coarseness = (std::max)(2., std::sqrt(double(m_criteria.part_size()) / triangles_of_part_in_sketch));
+    const double coarseness = (std::max)(2., std::sqrt(double(m_criteria.part_size()) / triangles_in_sketch));
     const Patch_sketch<Evaluator> sketch(evaluate, criteria, m_boundary.loops(), coarseness);
     m_report.number_of_replaced_tensors = sketch.number_of_replaced_tensors();
     return std::make_unique<Patch_parts<Kernel>>(evaluate, sketch, m_boundary.loops(), double(m_criteria.part_size()));

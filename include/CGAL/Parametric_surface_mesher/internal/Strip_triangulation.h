@@ -51,6 +51,7 @@ public:
       result->set_spacing(other.spacing());
       result->set_index(other.index());
       result->set_on_boundary(is_on_boundary);
+      result->set_kept(other.is_kept());
       m_number_of_vertices_on_boundary += is_on_boundary;
     }
     return result;
