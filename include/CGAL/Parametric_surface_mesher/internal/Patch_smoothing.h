@@ -37,7 +37,8 @@ class Patch_smoothing
   typedef typename Evaluator::Oracle::Metric_field Metric_field;
 
   static constexpr double quality_of_perfect_star = 0.998;
-  static constexpr double shortest_move = 0.03; // by the spacing: shorter ones gain less than they cost
+  static constexpr double shortest_move = 0.03;      // by the spacing: shorter ones gain less than they cost
+  static constexpr double shortest_felt_move = 0.08; // in a good star: then the vertices around are looked at again
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
@@ -75,9 +76,8 @@ private:
     m_star.collect(vertex);
     if(m_star.faces().size() > 6)
       m_crowded.push_back(vertex);
-    const bool is_moved = move_if_better(vertex);
-    vertex->set_settled(!is_moved);
-    return is_moved;
+    vertex->set_settled(true);
+    return move_if_better(vertex);
   }
 
   bool move_if_better(Vertex_handle vertex)
@@ -93,8 +93,17 @@ private:
     if(!after.quality.is_better_than(before) || !m_limits.allow(after, [&] { return m_star.shape(vertex->point()); })
        || m_star.is_inverted(point, m_evaluate.oracle()))
       return false;
-    m_star.move_to(point);
+    const bool is_felt = !before.is_good() || !is_near(point, vertex->point(), shortest_felt_move * vertex->spacing());
+    m_star.try_at(point);
+    if(is_felt)
+      unsettle_around(vertex);
     return true;
+  }
+
+  void unsettle_around(Vertex_handle vertex)
+  {
+    vertex->set_settled(false);
+    m_star.unsettle_ring();
   }
 
   static bool is_near(const Point& p, const Point_2& target, double distance)

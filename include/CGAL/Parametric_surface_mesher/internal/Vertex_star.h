@@ -215,13 +215,6 @@ public:
     return false;
   }
 
-  // moves the centre
-  void move_to(const Point& point)
-  {
-    try_at(point);
-    unsettle_ring();
-  }
-
   // moves the centre, perhaps not for good
   void try_at(const Point& point)
   {
