@@ -23,8 +23,8 @@ namespace internal {
 /*
 The strips along the cuts between the meshed parts of a patch, one for each seam: all triangles within some rings around its
 points, which leave the parts. In a strip the points of the cut are inner vertices, as others; fixed are the boundary and the
-border, vertices that a strip shares with a part or another strip. Smoothing leaves those beside the border where they are. Where a point of a cut lies on such a border it stays one
-of those that are fixed.
+border, vertices that a strip shares with a part or another strip. Smoothing leaves those beside the border where they are.
+Where a point of a cut lies on such a border it stays one of those that are fixed.
 
 The order of the work: `take_out()` for each part, at the same time if wanted; `connect()`; `triangulate()` for each
 strip, at the same time if wanted; `close()` for each part.

@@ -25,7 +25,8 @@ public:
   template <class ShapeBefore>
   bool allow(const Star_shape& after, const ShapeBefore& shape_before) const
   {
-    const bool is_too_large = after.squared_size > m_squared_size, is_too_close = after.squared_distance < m_squared_min_edge;
+    const bool is_too_large = after.squared_size > m_squared_size,
+               is_too_close = after.squared_distance < m_squared_min_edge;
     if(!is_too_large && !is_too_close)
       return true;
     const Star_shape before = shape_before();

@@ -48,7 +48,8 @@ class Valence_equalization
   std::vector<Neighbor> m_ring;
 
 public:
-  Valence_equalization(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria)
+  Valence_equalization(Triangulation& triangulation, const Evaluator& evaluate,
+                       const Parametric_surface_mesh_criteria& criteria)
     : m_triangulation(triangulation), m_evaluate(evaluate), m_limits(criteria),
       m_star(triangulation, evaluate.oracle().metric())
   {}
@@ -92,12 +93,14 @@ private:
     if(!edge.is_valid())
       return false;
     const Star_shape before = shape(vertices);
-    const std::array<Point, 4> points{vertices[0]->point(), vertices[1]->point(), vertices[2]->point(), vertices[3]->point()};
+    const std::array<Point, 4> points{vertices[0]->point(), vertices[1]->point(), vertices[2]->point(),
+                                      vertices[3]->point()};
     edge.flip();
     for(Vertex_handle vertex : vertices)
       move(vertex);
     const Star_shape after = shape(vertices);
-    if(after.quality.is_good() && after.quality.is_better_than(before.quality) && m_limits.allow(after, [&] { return before; })) {
+    if(after.quality.is_good() && after.quality.is_better_than(before.quality)
+       && m_limits.allow(after, [&] { return before; })) {
       unsettle(vertices);
       return true;
     }
