@@ -24,13 +24,11 @@ struct Star_quality
   double squared_sine = 1; // of the smallest angle
   double mean_ratio = 0;   // squared, in the mean
 
-  // no angle below 40 degrees
-  bool is_good() const { return squared_sine > 0.413; }
-
-  // In a good star the mean counts, else the smallest angle.
+  // In a star without angles below 40 degrees the mean counts, else the smallest angle.
   bool is_better_than(const Star_quality& other) const
   {
-    return squared_sine > other.squared_sine || (is_good() && mean_ratio > other.mean_ratio);
+    const double good = 0.413;
+    return squared_sine > other.squared_sine || (squared_sine > good && mean_ratio > other.mean_ratio);
   }
 };
 
@@ -39,7 +37,7 @@ struct Star_shape
 {
   Star_quality quality;
   double squared_size = 0;     // the largest squared circumradius by the squared sum of the spacings
-  double squared_distance = std::numeric_limits<double>::infinity(); // to the nearest vertex of the ring
+  double squared_distance = 0; // to the nearest vertex of the ring
 };
 
 // 48 area^2 / (sum of the squared lengths)^2: 1 for an equilateral triangle
@@ -141,6 +139,7 @@ public:
   Star_shape shape(const Point& center) const
   {
     Star_shape result;
+    result.squared_distance = std::numeric_limits<double>::infinity();
     for_each_triangle(center, [&](std::size_t k, const std::array<double, 3>& lengths) {
       const double sum = m_center->spacing() + m_ring[k]->spacing() + ring_vertex(k + 1)->spacing();
       result.quality.squared_sine = (std::min)(result.quality.squared_sine, internal::squared_smallest_sine(lengths));
@@ -213,6 +212,13 @@ public:
       if(oracle.is_inverted(center, ring_point(k), ring_point(k + 1)))
         return true;
     return false;
+  }
+
+  // moves the centre
+  void move_to(const Point& point)
+  {
+    try_at(point);
+    unsettle_ring();
   }
 
   // moves the centre, perhaps not for good
