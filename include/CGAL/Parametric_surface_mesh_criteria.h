@@ -214,10 +214,11 @@ public:
     return *this;
   }
 
-  /// how many triangles a patch may have, by an estimate, before it is split into parts of up to half as many that are meshed
-  /// by themselves, at the same time where there are threads, and joined. The split depends on the patch and the criteria alone, and leaves no
-  /// trace but in the order of vertices and faces, and up to some 15 percent more triangles where sizes differ much within a
-  /// patch. Patches with collapsed sides, or loops that touch, are not split. 0 for never. Default: 100000.
+  /// how many triangles a patch may have, by an estimate, before it is split into parts of up to half as many that are
+  /// meshed by themselves, at the same time where there are threads, and joined. The split depends on the patch and the
+  /// criteria alone, and leaves no trace but in the order of vertices and faces, and up to some 15 percent more triangles
+  /// where sizes differ much within a patch. Patches with collapsed sides, or loops that touch, are not split. 0 for never.
+  /// Default: 100000.
   Parametric_surface_mesh_criteria& set_part_size(std::size_t number_of_triangles)
   {
     m_part_size = number_of_triangles;

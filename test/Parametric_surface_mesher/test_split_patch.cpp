@@ -117,8 +117,8 @@ TEST_P(Split_patch, is_as_good_as_whole)
   EXPECT_NEAR(double(q0.number_of_faces), double(q.number_of_faces), (GetParam() == "peak" ? 0.16 : 0.05) * double(q0.number_of_faces));
   EXPECT_GT(q.min_angle, 36);
   EXPECT_GT(q.mean_radius_ratio, 0.99);
-  // the diameter of the largest circumcircle that the criterion of size allows to triangles with an angle below 46 degrees
-  EXPECT_LT((std::max)(q.max_edge_length, q0.max_edge_length), 6 * criteria.size_factor() / std::sqrt(1.2) * criteria.max_edge());
+  // in both, pieces of the boundary that meet at right angles may have squares, with a diagonal across
+  EXPECT_LT((std::max)(q.max_edge_length, q0.max_edge_length), 1.42 * criteria.max_edge());
   EXPECT_TRUE(split.report.unmet.empty());
   EXPECT_NEAR(q.min_angle, split.report.smallest_angle, 1e-6);
 }
