@@ -7,13 +7,15 @@
 #include <CGAL/Parametric_surface_mesher/internal/Edge_flip.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Star_limits.h>
+#include <CGAL/Parametric_surface_mesher/internal/Valence_equalization.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -22,7 +24,8 @@ namespace internal {
 /*
 Sweeps over the inner vertices of a patch: each is moved to the mean of the places where the triangles around it would be
 equilateral, if that makes them better, and edges between two triangles with opposite angles of more than 180 degrees in
-space are flipped. No triangle becomes larger than its spacing allows, and no edge shorter than the minimum.
+space are flipped, as are those that keep valences from being six. Where triangles are left that insertion could not make
+good, valences are not what is wrong: their edges are not flipped, and all moves are made that gain anything.
 */
 template <class Evaluator>
 class Patch_smoothing
@@ -36,17 +39,21 @@ class Patch_smoothing
   typedef typename Evaluator::Oracle::Metric_field Metric_field;
 
   static constexpr double quality_of_perfect_star = 0.998;
-  static constexpr double shortest_move = 0.02; // by the spacing: shorter ones gain less than they cost
-
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
-  double m_squared_size_factor, m_squared_min_edge;
+  const Star_limits m_limits;
+  const bool m_is_blocked;
+  const double m_shortest_move;      // by the spacing: shorter ones gain less than they cost
+  const double m_shortest_felt_move; // in a good star: then the vertices around are looked at again
   Vertex_star<Triangulation, Metric_field> m_star;
+  Valence_equalization<Evaluator> m_equalize_valences;
+  std::vector<Vertex_handle> m_crowded; // by more than six neighbours
 
 public:
   Patch_smoothing(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria)
-    : m_triangulation(triangulation), m_evaluate(evaluate), m_squared_size_factor(square(criteria.size_factor())),
-      m_squared_min_edge(square(criteria.min_edge())), m_star(triangulation, evaluate.oracle().metric())
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_limits(criteria), m_is_blocked(has_blocked_face(triangulation)),
+      m_shortest_move(m_is_blocked ? 0.02 : 0.03), m_shortest_felt_move(m_is_blocked ? 0 : 0.08),
+      m_star(triangulation, evaluate.oracle().metric()), m_equalize_valences(triangulation, evaluate, criteria)
   {}
 
   // one sweep; returns the number of vertices that have moved
@@ -60,16 +67,28 @@ public:
     for(Face_handle face : m_triangulation.finite_face_handles())
       if(face->is_in_domain() && face->state() == Face_state::UNKNOWN)
         flip_obtuse(face);
+    for(Vertex_handle vertex : m_crowded)
+      m_equalize_valences(vertex);
+    m_crowded.clear();
     return number_of_moves;
   }
 
 private:
+  static bool has_blocked_face(const Triangulation& triangulation)
+  {
+    const auto faces = triangulation.finite_face_handles();
+    return std::any_of(faces.begin(), faces.end(), [](Face_handle face) {
+      return face->is_in_domain() && face->state() == Face_state::BLOCKED;
+    });
+  }
+
   bool smooth(Vertex_handle vertex)
   {
     m_star.collect(vertex);
-    const bool is_moved = move_if_better(vertex);
-    vertex->set_settled(!is_moved);
-    return is_moved;
+    if(m_star.faces().size() > 6 && !m_is_blocked)
+      m_crowded.push_back(vertex);
+    vertex->set_settled(true);
+    return move_if_better(vertex);
   }
 
   bool move_if_better(Vertex_handle vertex)
@@ -78,32 +97,29 @@ private:
     if(before.mean_ratio > quality_of_perfect_star)
       return false;
     const Point_2 target = m_star.mean_of_apices();
-    if(is_near(vertex->point(), target, shortest_move * vertex->spacing()) || !m_star.is_around(target))
+    if(is_near(vertex->point(), target, m_shortest_move * vertex->spacing()) || !m_star.is_around(target))
       return false;
     const Point point = m_evaluate.position(target, vertex->spacing()).point;
     const Star_shape after = m_star.shape(point);
-    if(!after.quality.is_better_than(before) || !is_allowed(after, vertex->point())
+    if(!after.quality.is_better_than(before) || !m_limits.allow(after, [&] { return m_star.shape(vertex->point()); })
        || m_star.is_inverted(point, m_evaluate.oracle()))
       return false;
-    m_star.move_to(point);
+    const bool is_felt = !before.is_good() || !is_near(point, vertex->point(), m_shortest_felt_move * vertex->spacing());
+    m_star.try_at(point);
+    if(is_felt)
+      unsettle_around(vertex);
     return true;
+  }
+
+  void unsettle_around(Vertex_handle vertex)
+  {
+    vertex->set_settled(false);
+    m_star.unsettle_ring();
   }
 
   static bool is_near(const Point& p, const Point_2& target, double distance)
   {
     return p.tensor().squared_length(target.x() - p.x(), target.y() - p.y()) < distance * distance;
-  }
-
-  // no triangle too large, and no edge too short, or more so than now
-  bool is_allowed(const Star_shape& after, const Point& old_point) const
-  {
-    const bool is_too_large = after.squared_size > m_squared_size_factor,
-               is_too_close = after.squared_distance < m_squared_min_edge;
-    if(!is_too_large && !is_too_close)
-      return true;
-    const Star_shape before = m_star.shape(old_point);
-    return (!is_too_large || after.squared_size <= before.squared_size)
-           && (!is_too_close || after.squared_distance >= before.squared_distance);
   }
 
   // Flips the edge opposite to an obtuse angle, if the two triangles become better. Of two opposite angles with a sum above

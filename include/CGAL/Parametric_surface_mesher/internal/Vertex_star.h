@@ -24,11 +24,13 @@ struct Star_quality
   double squared_sine = 1; // of the smallest angle
   double mean_ratio = 0;   // squared, in the mean
 
-  // In a star without angles below 40 degrees the mean counts, else the smallest angle.
+  // no angle below 40 degrees
+  bool is_good() const { return squared_sine > 0.413; }
+
+  // In a good star the mean counts, else the smallest angle.
   bool is_better_than(const Star_quality& other) const
   {
-    const double good = 0.413;
-    return squared_sine > other.squared_sine || (squared_sine > good && mean_ratio > other.mean_ratio);
+    return squared_sine > other.squared_sine || (is_good() && mean_ratio > other.mean_ratio);
   }
 };
 
@@ -37,7 +39,8 @@ struct Star_shape
 {
   Star_quality quality;
   double squared_size = 0;     // the largest squared circumradius by the squared sum of the spacings
-  double squared_distance = 0; // to the nearest vertex of the ring
+  double squared_length = 0;   // of the longest edge of the centre, by the squared sum of the spacings
+  double squared_distance = std::numeric_limits<double>::infinity(); // to the nearest vertex of the ring
 };
 
 // 48 area^2 / (sum of the squared lengths)^2: 1 for an equilateral triangle
@@ -139,12 +142,12 @@ public:
   Star_shape shape(const Point& center) const
   {
     Star_shape result;
-    result.squared_distance = std::numeric_limits<double>::infinity();
     for_each_triangle(center, [&](std::size_t k, const std::array<double, 3>& lengths) {
-      const double sum = m_center->spacing() + m_ring[k]->spacing() + ring_vertex(k + 1)->spacing();
+      const double sum_along_edge = m_center->spacing() + ring_vertex(k + 1)->spacing(), sum = sum_along_edge + m_ring[k]->spacing();
       result.quality.squared_sine = (std::min)(result.quality.squared_sine, internal::squared_smallest_sine(lengths));
       result.quality.mean_ratio += squared_mean_ratio(lengths);
       result.squared_size = (std::max)(result.squared_size, squared_circumradius(lengths) / (sum * sum));
+      result.squared_length = (std::max)(result.squared_length, lengths[1] / (sum_along_edge * sum_along_edge));
       result.squared_distance = (std::min)(result.squared_distance, lengths[1]);
     });
     result.quality.mean_ratio /= double(m_ring.size());
@@ -212,13 +215,6 @@ public:
       if(oracle.is_inverted(center, ring_point(k), ring_point(k + 1)))
         return true;
     return false;
-  }
-
-  // moves the centre
-  void move_to(const Point& point)
-  {
-    try_at(point);
-    unsettle_ring();
   }
 
   // moves the centre, perhaps not for good
