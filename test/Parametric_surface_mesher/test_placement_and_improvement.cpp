@@ -81,6 +81,19 @@ TEST(Improvement, no_time)
   EXPECT_LT(none.min_angle, 36);
 }
 
+// The first two leave out moves that gain little; further ones make them.
+TEST(Improvement, sweeps_after_the_second)
+{
+  const Sample torus = make_sample("torus");
+  const CGAL::Triangle_mesh_quality two = quality(torus, uniform(torus, 5000)),
+                                    three = quality(torus, uniform(torus, 5000).set_max_number_of_sweeps(3)),
+                                    twelve = quality(torus, uniform(torus, 5000).set_max_number_of_sweeps(12));
+  EXPECT_GT(three.mean_min_angle, two.mean_min_angle + 0.1);
+  EXPECT_GT(twelve.mean_min_angle, two.mean_min_angle + 0.25);
+  EXPECT_GT(twelve.mean_radius_ratio, three.mean_radius_ratio);
+  EXPECT_GT(twelve.min_angle, 39);
+}
+
 TEST(Improvement, angle_that_is_aimed_at)
 {
   const Sample cap = make_sample("cap");

@@ -9,6 +9,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Phase_timer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -22,6 +23,9 @@ class Patch_improvement
 {
   typedef Patch_triangulation_2<typename Evaluator::Kernel> Triangulation;
 
+  typedef Patch_smoothing<Evaluator> Smoothing;
+
+  static constexpr unsigned int number_of_thrifty_sweeps = 2;
   static constexpr double smallest_share_of_moves = 0.01; // of the vertices, for which another sweep is made
 
   Triangulation& m_triangulation;
@@ -40,10 +44,13 @@ public:
   void smooth()
   {
     const auto has_time = clock();
-    Patch_smoothing<Evaluator> sweep(m_triangulation, m_evaluate, m_criteria);
-    for(unsigned int i = 0; i < m_criteria.max_number_of_sweeps() && has_time(); ++i)
-      if(sweep() < smallest_share_of_moves * double(m_triangulation.number_of_vertices()))
-        break;
+    Smoothing sweep(m_triangulation, m_evaluate, m_criteria);
+    const unsigned int n = m_criteria.max_number_of_sweeps();
+    repeat(sweep, (std::min)(n, number_of_thrifty_sweeps), has_time);
+    if(n > number_of_thrifty_sweeps && has_time()) {
+      sweep.be_thorough();
+      repeat(sweep, n - number_of_thrifty_sweeps, has_time);
+    }
   }
 
   void repair(const typename Refinement::Is_bad& is_bad)
@@ -53,6 +60,14 @@ public:
   }
 
 private:
+  template <class HasTime>
+  void repeat(Smoothing& sweep, unsigned int number_of_sweeps, const HasTime& has_time) const
+  {
+    for(unsigned int i = 0; i < number_of_sweeps && has_time(); ++i)
+      if(sweep() < smallest_share_of_moves * double(m_triangulation.number_of_vertices()))
+        return;
+  }
+
   // tells whether there is time left; without a limit it does not ask the clock again
   auto clock() const
   {

@@ -26,6 +26,7 @@ Sweeps over the inner vertices of a patch: each is moved to the mean of the plac
 equilateral, if that makes them better, and edges between two triangles with opposite angles of more than 180 degrees in
 space are flipped, as are those that keep valences from being six. Where triangles are left that insertion could not make
 good, valences are not what is wrong: their edges are not flipped, and all moves are made that gain anything.
+Sweeps are thrifty until they are asked to be thorough: then hardly a vertex stays because its move would gain little.
 */
 template <class Evaluator>
 class Patch_smoothing
@@ -38,13 +39,21 @@ class Patch_smoothing
   typedef typename Kernel::Point_2 Point_2;
   typedef typename Evaluator::Oracle::Metric_field Metric_field;
 
-  static constexpr double quality_of_perfect_star = 0.998;
+  // what is not worth its time
+  struct Thrift
+  {
+    double quality_of_perfect_star;
+    double shortest_move;      // by the spacing
+    double shortest_felt_move; // in a good star: from there on the vertices around are looked at again
+  };
+
+  static constexpr Thrift thrifty = {0.998, 0.03, 0.08}, thrifty_if_blocked = {0.998, 0.02, 0}, thorough = {0.9999, 0.01, 0};
+
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   const Star_limits m_limits;
   const bool m_is_blocked;
-  const double m_shortest_move;      // by the spacing: shorter ones gain less than they cost
-  const double m_shortest_felt_move; // in a good star: then the vertices around are looked at again
+  Thrift m_thrift;
   Vertex_star<Triangulation, Metric_field> m_star;
   Valence_equalization<Evaluator> m_equalize_valences;
   std::vector<Vertex_handle> m_crowded; // by more than six neighbours
@@ -52,9 +61,17 @@ class Patch_smoothing
 public:
   Patch_smoothing(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria)
     : m_triangulation(triangulation), m_evaluate(evaluate), m_limits(criteria), m_is_blocked(has_blocked_face(triangulation)),
-      m_shortest_move(m_is_blocked ? 0.02 : 0.03), m_shortest_felt_move(m_is_blocked ? 0 : 0.08),
-      m_star(triangulation, evaluate.oracle().metric()), m_equalize_valences(triangulation, evaluate, criteria)
+      m_thrift(m_is_blocked ? thrifty_if_blocked : thrifty), m_star(triangulation, evaluate.oracle().metric()),
+      m_equalize_valences(triangulation, evaluate, criteria)
   {}
+
+  // from the next sweep on; all vertices are looked at again
+  void be_thorough()
+  {
+    m_thrift = thorough;
+    for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
+      vertex->set_settled(false);
+  }
 
   // one sweep; returns the number of vertices that have moved
   std::size_t operator()()
@@ -94,17 +111,17 @@ private:
   bool move_if_better(Vertex_handle vertex)
   {
     const Star_quality before = m_star.quality();
-    if(before.mean_ratio > quality_of_perfect_star)
+    if(before.mean_ratio > m_thrift.quality_of_perfect_star)
       return false;
     const Point_2 target = m_star.mean_of_apices();
-    if(is_near(vertex->point(), target, m_shortest_move * vertex->spacing()) || !m_star.is_around(target))
+    if(is_near(vertex->point(), target, m_thrift.shortest_move * vertex->spacing()) || !m_star.is_around(target))
       return false;
     const Point point = m_evaluate.position(target, vertex->spacing()).point;
     const Star_shape after = m_star.shape(point);
     if(!after.quality.is_better_than(before) || !m_limits.allow(after, [&] { return m_star.shape(vertex->point()); })
        || m_star.is_inverted(point, m_evaluate.oracle()))
       return false;
-    const bool is_felt = !before.is_good() || !is_near(point, vertex->point(), m_shortest_felt_move * vertex->spacing());
+    const bool is_felt = !before.is_good() || !is_near(point, vertex->point(), m_thrift.shortest_felt_move * vertex->spacing());
     m_star.try_at(point);
     if(is_felt)
       unsettle_around(vertex);
