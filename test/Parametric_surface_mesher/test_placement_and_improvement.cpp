@@ -99,7 +99,8 @@ TEST(Improvement, angle_that_is_aimed_at)
   const Sample cap = make_sample("cap");
   double previous = 0;
   for(double angle : {0., 36., 40.}) {
-    const CGAL::Triangle_mesh_quality q = quality(cap, uniform(cap, 20000).set_max_number_of_sweeps(0).set_improvement_angle(angle));
+    const CGAL::Triangle_mesh_quality q
+      = quality(cap, uniform(cap, 20000).set_max_number_of_sweeps(0).set_improvement_angle(angle));
     EXPECT_GE(q.min_angle, previous);
     previous = q.min_angle;
   }
