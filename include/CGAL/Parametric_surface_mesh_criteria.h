@@ -309,27 +309,33 @@ public:
     Mesh_2::Face_badness is_bad_by_shape(Face_handle f, Quality& quality) const
     {
       using namespace Parametric_surface_mesher::internal;
-      const Face_measures measures = face_measures(f, m_oracle.metric());
+      // the squared circumradius is `product / area`; quotients are left to bad triangles, as most live but a moment
+      const std::array<double, 3> l = squared_lengths(f, m_oracle.metric());
+      const double product = l[0] * l[1] * l[2], area = (std::max)(squared_area_16(l), 0.),
+                   sine = (std::min)({l[0], l[1], l[2]}) * area; // squared, of the smallest angle, times `4 product`
       const double spacing = f->vertex(0)->spacing() + f->vertex(1)->spacing() + f->vertex(2)->spacing();
-      quality.is_well_shaped = measures.squared_smallest_sine > squared_sine_of_good_shape;
-      quality.criterion = Mesh_criterion::SIZE;
-      quality.badness = measures.squared_circumradius / (m_squared_size_factor * spacing * spacing)
-                        * (quality.is_well_shaped ? 1 : allowance_of_good_shape);
-      if(quality.badness > 1)
+      quality.is_well_shaped = sine > 4 * squared_sine_of_good_shape * product;
+      const double largest_product
+        = (quality.is_well_shaped ? 1 : 1 / allowance_of_good_shape) * m_squared_size_factor * spacing * spacing * area;
+      if(!(product < largest_product)) {
+        quality.criterion = Mesh_criterion::SIZE;
+        quality.badness = area > 0 ? product / largest_product : std::numeric_limits<double>::infinity();
         return Mesh_2::IMPERATIVELY_BAD;
+      }
       quality.criterion = Mesh_criterion::ANGLE;
-      quality.badness = m_squared_sine / measures.squared_smallest_sine;
-      return quality.badness > 1 ? Mesh_2::BAD : Mesh_2::NOT_BAD;
+      if(!(4 * m_squared_sine * product <= sine)) {
+        quality.badness = 4 * m_squared_sine * product / sine;
+        return Mesh_2::BAD;
+      }
+      quality.badness = 1;
+      return Mesh_2::NOT_BAD;
     }
 
-    /// evaluates the triangle.
+    /// evaluates deviation and distance of the triangle alone.
     template <class Face_handle>
-    Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
+    Mesh_2::Face_badness is_bad_by_deviation(Face_handle f, Quality& quality) const
     {
       using namespace Parametric_surface_mesher::internal;
-      const Mesh_2::Face_badness shape = is_bad_by_shape(f, quality);
-      if(shape != Mesh_2::NOT_BAD)
-        return shape;
       quality.criterion = Mesh_criterion::DEVIATION;
       const Squared_deviation deviation = squared_deviation_of_edges(f, m_oracle, m_limits);
       quality.badness = deviation.ratio / (m_limits.gamma * m_limits.gamma);
@@ -341,6 +347,14 @@ public:
                           / m_limits.squared_distance;
       }
       return (*this)(quality);
+    }
+
+    /// evaluates the triangle.
+    template <class Face_handle>
+    Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
+    {
+      const Mesh_2::Face_badness shape = is_bad_by_shape(f, quality);
+      return shape != Mesh_2::NOT_BAD ? shape : is_bad_by_deviation(f, quality);
     }
   };
 

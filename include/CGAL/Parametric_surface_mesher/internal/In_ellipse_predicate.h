@@ -87,10 +87,7 @@ Sign filtered_sign_of_in_ellipse(const Point& p, const Point& q, const Point& r,
   const FT scale = x * y * (e * x * x + g * y * y);
   if(x * y > FT(1e-290) && scale > FT(1e-250) && scale < FT(1e250)) {
     const FT value = determinant.value(e, f2, g), bound = FT(135 * std::numeric_limits<FT>::epsilon()) * scale;
-    if(value > bound)
-      return POSITIVE;
-    if(value < -bound)
-      return NEGATIVE;
+    return Sign(int(value > bound) - int(value < -bound));
   }
   return ZERO;
 }

@@ -6,6 +6,8 @@
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 
+#include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -25,7 +27,7 @@ class Vertex_insertion
   typedef typename Triangulation::Point Point;
 
   Triangulation& m_triangulation;
-  std::vector<Face_handle> m_stack; // faces whose edge opposite to the new vertex is to be looked at
+  std::vector<Face_handle> m_stack; // faces whose edge opposite to the new vertex is to be flipped
   std::vector<Face_handle> m_star;  // faces of the new vertex
 
 public:
@@ -34,8 +36,7 @@ public:
   Vertex_handle insert_in_face(const Point& p, Face_handle face)
   {
     const Vertex_handle vertex = split(face, p);
-    for(Face_handle side : {face, face->neighbor(1), face->neighbor(2)})
-      m_stack.push_back(side);
+    look_at(p, face, face->neighbor(1), face->neighbor(2));
     restore(vertex);
     return vertex;
   }
@@ -47,11 +48,12 @@ public:
     const Face_handle across = face->neighbor(i);
     const Vertex_handle vertex = split(face, p);
     for(Face_handle side : {face, face->neighbor(1), face->neighbor(2)}) {
-      m_stack.push_back(side);
       if(side->neighbor(0) == across) {
         flip(side);
-        m_stack.push_back(across);
+        look_at(p, side, across);
       }
+      else
+        look_at(p, side);
     }
     restore(vertex);
     return vertex;
@@ -94,18 +96,25 @@ private:
   void restore(Vertex_handle vertex)
   {
     while(!m_stack.empty()) {
-      const Face_handle face = m_stack.back();
+      const Face_handle face = m_stack.back(), across = face->neighbor(0);
       m_stack.pop_back();
-      if(face->is_constrained(0) || is_delaunay(face, vertex->point()))
-        continue;
-      const Face_handle across = face->neighbor(0);
       flip(face);
-      m_stack.push_back(face);
-      m_stack.push_back(across);
+      look_at(vertex->point(), face, across);
     }
     collect_star(vertex->face());
     for(Face_handle face : m_star)
       face->touch();
+  }
+
+  // All are tested before one is pushed: nobody can predict which, and so the processor works on several at once.
+  template <class... Faces>
+  void look_at(const Point& p, Faces... faces)
+  {
+    const std::array<bool, sizeof...(Faces)> are_to_be_flipped{!faces->is_constrained(0) && !is_delaunay(faces, p)...};
+    const std::array<Face_handle, sizeof...(Faces)> all{faces...};
+    for(std::size_t i = 0; i < all.size(); ++i)
+      if(are_to_be_flipped[i])
+        m_stack.push_back(all[i]);
   }
 
   bool is_delaunay(Face_handle face, const Point& p) const
