@@ -7,6 +7,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Star_of_point.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
+#include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
 
 #include <algorithm>
 #include <array>
@@ -69,6 +70,8 @@ public:
        && candidate.location.face->is_constrained(candidate.location.index))
       return false;
     const Face_handle face = candidate.location.face;
+    for(int i = 0; i < 3; ++i)
+      prefetch(*face->neighbor(i)); // for the insertion, while the surface is evaluated
     const double spacing = (face->vertex(0)->spacing() + face->vertex(1)->spacing() + face->vertex(2)->spacing()) / 3;
     candidate.position = m_evaluate.position(uv, spacing);
     return true;
