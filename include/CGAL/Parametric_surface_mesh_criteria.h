@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace CGAL {
 
@@ -66,7 +67,7 @@ private:
   double m_gamma = 0.05, m_angle = 30, m_distance = 0;
   double m_size_factor = 0.28, m_closeness = 0, m_growth = 0;
   std::size_t m_max_number_of_vertices = 20000000;
-  std::size_t m_part_size = 100000;
+  std::optional<std::size_t> m_part_size; // else by placement
   Curve_deviation m_curve_deviation = Curve_deviation::HEIGHT_OVER_CHORD;
   Mesh_point_placement m_placement = Mesh_point_placement::FRONTAL;
   unsigned int m_max_number_of_sweeps = 2;
@@ -219,7 +220,8 @@ public:
   /// meshed by themselves, at the same time where there are threads, and joined. The split depends on the patch and the
   /// criteria alone, and leaves no trace but in the order of vertices and faces, and up to some 15 percent more triangles
   /// where sizes differ much within a patch. Patches with collapsed sides, or loops that touch, are not split. 0 for never.
-  /// Default: 100000.
+  /// Default: 100000 with frontal placement. Others work from place to place whatever the size, and parts are for threads
+  /// alone: 2 million.
   Parametric_surface_mesh_criteria& set_part_size(std::size_t number_of_triangles)
   {
     m_part_size = number_of_triangles;
@@ -245,7 +247,10 @@ public:
   double improvement_angle() const { return m_improvement_angle; }
   double improvement_time() const { return m_improvement_time; }
   std::size_t max_number_of_vertices() const { return m_max_number_of_vertices; }
-  std::size_t part_size() const { return m_part_size; }
+  std::size_t part_size() const
+  {
+    return m_part_size.value_or(m_placement == Mesh_point_placement::FRONTAL ? 100000 : 2000000);
+  }
   /// @}
 
   /// how bad a triangle is: the squared ratio of what it has to what it may have, by its worst criterion.
