@@ -32,17 +32,18 @@ tensors vary, the empty-ellipse property is a local one, and
 \cgalModels `ConstrainedDelaunayTriangulationTraits_2`
 
 \tparam Kernel a model of `Kernel` with exact predicates on `double` coordinates
+\tparam Point `Parametric_point_2<Kernel>`, or a class that derives from it
 
 \sa `CGAL::Delaunay_triangulation_2`
 \sa `CGAL::Constrained_Delaunay_triangulation_2`
 */
-template <class Kernel = Exact_predicates_inexact_constructions_kernel>
+template <class Kernel = Exact_predicates_inexact_constructions_kernel, class Point = Parametric_point_2<Kernel>>
 class Anisotropic_Delaunay_triangulation_traits_2
   : public Kernel
 {
 public:
   /// the point type, which carries domain point, surface point and metric tensor.
-  typedef Parametric_point_2<Kernel> Point_2;
+  typedef Point Point_2;
 
   // The triangulations pass every point through this functor before a predicate sees it. That of `Kernel`
   // would return a bare domain point: the tensor would be lost.

@@ -22,17 +22,17 @@ namespace internal {
 
 // The middle of an edge, straight in the domain. A surface in other coordinates than those of its domain has overloads of
 // this and the next two functions.
-template <class Surface, class Point_2>
-Point_2 edge_middle(const Surface&, const Point_2& p, const Point_2& q)
+template <class Surface, class ParametricPoint>
+auto edge_middle(const Surface&, const ParametricPoint& p, const ParametricPoint& q)
 {
-  return Point_2(0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y()));
+  return typename Surface::Geom_traits::Point_2(0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y()));
 }
 
 // the point of the surface there
-template <class Surface, class Point_2>
-auto edge_middle_in_space(const Surface& surface, const Point_2& p, const Point_2& q)
+template <class Surface, class ParametricPoint>
+auto edge_middle_in_space(const Surface& surface, const ParametricPoint& p, const ParametricPoint& q)
 {
-  const Point_2 middle = edge_middle(surface, p, q);
+  const auto middle = edge_middle(surface, p, q);
   return surface.point(middle.x(), middle.y());
 }
 
@@ -118,14 +118,12 @@ public:
   double squared_height(const ParametricPoint& p, const ParametricPoint& q, double gamma) const
   {
     using namespace Parametric_surface_mesher::internal;
-    typedef typename Geom_traits::Point_2 Point_2;
-    const Point_2 &source = p, &target = q;
-    const Vector_3 height = vector_from_line(edge_middle_in_space(m_surface, source, target), p.surface_point(), q.surface_point());
+    const Vector_3 height = vector_from_line(edge_middle_in_space(m_surface, p, q), p.surface_point(), q.surface_point());
     double result = height.squared_length();
     if(counts_along_normal_only(p, q, result, gamma))
-      result = squared_height_along_normal(edge_middle(m_surface, source, target), height);
+      result = squared_height_along_normal(edge_middle(m_surface, p, q), height);
     if(!std::isfinite(result))
-      throw_not_finite(m_surface, edge_middle(m_surface, source, target));
+      throw_not_finite(m_surface, edge_middle(m_surface, p, q));
     return result;
   }
 

@@ -3,8 +3,9 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTED_SURFACE_3_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTED_SURFACE_3_H
 
+#include <CGAL/Parametric_surface_mesher/internal/Last_value.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_chart_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Recent_values.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_point_2.h>
 #include <CGAL/Surface_jet_3.h>
 
 namespace CGAL {
@@ -12,8 +13,8 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // A surface in the coordinates of a chart: a model of `ParametricSurface_3`. The way back to the domain costs as much as an
-// evaluation of the surface, and all edges of a vertex ask for it: it is remembered, as is the last jet in the domain, which
-// is asked for twice. So an object is for one thread.
+// evaluation of the surface: for the last point it is remembered, as is the jet in the domain, since both are asked for
+// several times. So an object is for one thread.
 template <class Surface>
 class Charted_surface_3
 {
@@ -26,20 +27,28 @@ public:
 private:
   const Surface& m_surface;
   Chart m_chart;
-  mutable Recent_values<Point_2, Point_2> m_domain_points;
-  mutable Recent_values<Point_2, Surface_jet_3<Geom_traits>> m_domain_jet;
+  mutable Last_value<Point_2, Point_2> m_domain_point;
+  mutable Last_value<Point_2, Surface_jet_3<Geom_traits>> m_domain_jet;
 
 public:
-  Charted_surface_3(const Surface& surface, const Chart& chart)
-    : m_surface(surface), m_chart(chart), m_domain_points(chart.is_identity() ? 0 : 1024), m_domain_jet(1)
-  {}
+  Charted_surface_3(const Surface& surface, const Chart& chart) : m_surface(surface), m_chart(chart) {}
 
   const Chart& chart() const { return m_chart; }
 
   // see `Patch_chart_2`; in a chart that is the identity it is for nobody to ask
   const Point_2& domain_point(const Point_2& z) const
   {
-    return m_domain_points(z, [this](const Point_2& p) { return m_chart.domain_point(p); });
+    return m_domain_point(z, [this](const Point_2& p) { return m_chart.domain_point(p); });
+  }
+
+  // Whether edges are straight in the domain and not in the coordinates of the chart.
+  bool has_bent_edges() const { return !m_chart.is_identity() && m_chart.keeps_domain_lines(); }
+
+  // see `Patch_point_2`
+  void set_line_point(Patch_point_2<Geom_traits>& point) const
+  {
+    if(has_bent_edges())
+      point.set_line_point(domain_point(point.domain_point()));
   }
 
   Point_3 point(double x, double y) const
@@ -86,20 +95,15 @@ Point_2 place_in_domain(const Charted_surface_3<Surface>& surface, const Point_2
   return surface.chart().domain_point(z);
 }
 
-// whether edges are straight in the domain and not in the coordinates of the patch
-template <class Surface>
-bool has_bent_edges(const Charted_surface_3<Surface>& surface)
-{
-  return !surface.chart().is_identity() && surface.chart().keeps_domain_lines();
-}
-
 // Of an edge between two points of the chart, in the domain. Of a pole, a whole side of the domain, the point opposite to
 // the other end counts.
-template <class Surface, class Point_2>
-Point_2 middle_in_domain(const Charted_surface_3<Surface>& surface, const Point_2& p, const Point_2& q)
+// \pre `surface.has_bent_edges()`
+template <class Surface, class Kernel>
+typename Kernel::Point_2 middle_in_domain(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
+                                          const Patch_point_2<Kernel>& q)
 {
   const auto& chart = surface.chart();
-  Point_2 a = surface.domain_point(p), b = surface.domain_point(q);
+  typename Kernel::Point_2 a = p.line_point(), b = q.line_point();
   if(chart.is_pole(p))
     a = chart.on_collapsed_side(a, b);
   if(chart.is_pole(q))
@@ -108,19 +112,22 @@ Point_2 middle_in_domain(const Charted_surface_3<Surface>& surface, const Point_
 }
 
 // The middle of an edge in the coordinates whose straight lines count, as a point of the chart.
-template <class Surface, class Point_2>
-Point_2 edge_middle(const Charted_surface_3<Surface>& surface, const Point_2& p, const Point_2& q)
+template <class Surface, class Kernel>
+typename Kernel::Point_2 edge_middle(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
+                                     const Patch_point_2<Kernel>& q)
 {
-  return has_bent_edges(surface) ? surface.chart().chart_point(middle_in_domain(surface, p, q)) : midpoint(p, q);
+  return surface.has_bent_edges() ? surface.chart().chart_point(middle_in_domain(surface, p, q))
+                                  : midpoint(p.domain_point(), q.domain_point());
 }
 
 // The same in space, without the way through the chart and back.
-template <class Surface, class Point_2>
-auto edge_middle_in_space(const Charted_surface_3<Surface>& surface, const Point_2& p, const Point_2& q)
+template <class Surface, class Kernel>
+auto edge_middle_in_space(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
+                          const Patch_point_2<Kernel>& q)
 {
-  if(has_bent_edges(surface))
+  if(surface.has_bent_edges())
     return surface.point_in_domain(middle_in_domain(surface, p, q));
-  const Point_2 middle = midpoint(p, q);
+  const auto middle = midpoint(p.domain_point(), q.domain_point());
   return surface.point(middle.x(), middle.y());
 }
 

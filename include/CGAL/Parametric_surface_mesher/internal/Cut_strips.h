@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <unordered_map>
 #include <unordered_set>
@@ -42,7 +43,7 @@ private:
   typedef Strip_triangulation<Kernel> Strip_maker;
 
   static const int number_of_rings = 4;
-  static const std::size_t on_border = std::size_t(-1);
+  static const std::size_t on_border = std::uint32_t(-1);
 
   // a triangle that has left its part
   struct Taken

@@ -4,11 +4,11 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_EVALUATOR_H
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Parametric_point_2.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/Chord_jet.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_point_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Spacing_limit.h>
 #include <CGAL/Surface_jet_3.h>
 
@@ -24,7 +24,7 @@ namespace internal {
 template <class Kernel>
 struct Evaluated_position
 {
-  Parametric_point_2<Kernel> point;
+  Patch_point_2<Kernel> point;
   Surface_jet_3<Kernel> jet;
   bool is_tensor_replaced;
   bool is_degenerate; // no positive definite tensor was found, not even by chords
@@ -104,8 +104,9 @@ private:
       check_finite(uv, surface_point, tensor);
     }
     const bool is_regular = is_well_conditioned(tensor);
-    return {Parametric_point_2<Kernel>(uv, surface_point, is_regular ? tensor : regularized(tensor)), jet,
-            is_by_chords || !is_regular, !is_regular};
+    Patch_point_2<Kernel> point(uv, surface_point, is_regular ? tensor : regularized(tensor));
+    m_oracle.surface().set_line_point(point);
+    return {point, jet, is_by_chords || !is_regular, !is_regular};
   }
 
   // the length over which the jet does not tell distances, or 0 if it does

@@ -4,6 +4,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_TRIANGULATION_2_H
 
 #include <CGAL/Anisotropic_Delaunay_triangulation_traits_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_point_2.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -24,7 +25,7 @@ class Patch_vertex_base_2
   : public Base
 {
   double m_spacing = 0;
-  std::size_t m_index = 0;
+  std::uint32_t m_index = 0;
   bool m_is_on_boundary = false, m_is_settled = false, m_is_kept = false;
 
 public:
@@ -39,7 +40,7 @@ public:
   double spacing() const { return m_spacing; }
   void set_spacing(double spacing) { m_spacing = spacing; }
   std::size_t index() const { return m_index; }
-  void set_index(std::size_t index) { m_index = index; }
+  void set_index(std::size_t index) { m_index = std::uint32_t(index); }
   bool is_on_boundary() const { return m_is_on_boundary; }
   void set_on_boundary(bool b) { m_is_on_boundary = b; }
 
@@ -127,7 +128,7 @@ public:
 template <class Kernel>
 struct Patch_triangulation_types
 {
-  typedef Anisotropic_Delaunay_triangulation_traits_2<Kernel> Traits;
+  typedef Anisotropic_Delaunay_triangulation_traits_2<Kernel, Patch_point_2<Kernel>> Traits;
   typedef Triangulation_data_structure_2<Patch_vertex_base_2<Traits>, Patch_face_base_2<Traits>> Tds;
   typedef Constrained_Delaunay_triangulation_2<Traits, Tds, No_constraint_intersection_requiring_constructions_tag>
     Triangulation;

@@ -40,7 +40,9 @@ public:
 
   Evaluated_point<Kernel> operator()(const Point_2& uv, const Point_3& surface_point, double /* spacing */) const
   {
-    return {{Parametric_point_2<Kernel>(uv, surface_point, tensor(uv)), Surface_jet_3<Kernel>(), false, false}, 0};
+    Patch_point_2<Kernel> point(uv, surface_point, tensor(uv));
+    m_oracle.surface().set_line_point(point);
+    return {{point, Surface_jet_3<Kernel>(), false, false}, 0};
   }
 
 private:
