@@ -47,7 +47,7 @@ private:
   typedef typename Point_placement<Kernel>::Weights Weights;
 
   static constexpr double fraction_of_spacing = 0.15;
-  static constexpr double tolerated_squared_error = 0.04; // of a point's place, by the circumradius
+  static constexpr double tolerated_squared_error = 0.02 * 0.02; // of a point's place, by the circumradius
   static const int max_number_of_corrections = 4;
 
   Triangulation& m_triangulation;

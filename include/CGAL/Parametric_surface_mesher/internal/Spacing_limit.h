@@ -29,24 +29,28 @@ class Spacing_limit
 
   static constexpr double trusted_share = 0.3; // of the limit by the curvature of the surface
 
-  // A chord of length L has deviation ratio H/L = L kappa / 8 and arc height L^2 kappa / 8. The factor 7 in place of 8
-  // leaves room for edges longer than the spacing; measured on a steep peak, it saves most of the splits by deviation.
-  static constexpr double chord_factor = 7;
+  // A chord of length L has deviation ratio H/L = L kappa / 8 and arc height L^2 kappa / 8. Less than 8 leaves room for edges
+  // longer than the spacing: triangles that are split by deviation alone have a good shape, and leave a worse one. Measured
+  // on a steep peak, 7 saves most of these splits with points of a front. Circumcentres leave longer edges: with 6 they make
+  // 8 percent more triangles, and their mean radius ratio is 0.913 in place of 0.906.
+  static constexpr double chord_factor_of_front = 7, chord_factor_of_centers = 6;
 
   const Oracle& m_oracle;
   const Parametric_surface_mesh_criteria& m_criteria;
   Bbox_2 m_box;
+  double m_chord_factor;
   double m_harmless_curvature; // the largest that allows the maximum edge
 
 public:
   // no point outside `box` is evaluated; if it is empty the curvature of lines always counts
   Spacing_limit(const Oracle& oracle, const Parametric_surface_mesh_criteria& criteria, const Bbox_2& box)
     : m_oracle(oracle), m_criteria(criteria), m_box(box),
-      m_harmless_curvature(chord_factor * criteria.gamma() / criteria.max_edge())
+      m_chord_factor(criteria.placement() == Mesh_point_placement::FRONTAL ? chord_factor_of_front : chord_factor_of_centers),
+      m_harmless_curvature(m_chord_factor * criteria.gamma() / criteria.max_edge())
   {
     if(criteria.distance() > 0)
       m_harmless_curvature
-        = (std::min)(m_harmless_curvature, chord_factor * criteria.distance() / square(criteria.max_edge()));
+        = (std::min)(m_harmless_curvature, m_chord_factor * criteria.distance() / square(criteria.max_edge()));
   }
 
   double operator()(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
@@ -80,10 +84,10 @@ private:
   double limit_for(double curvature) const
   {
     double limit = m_criteria.max_edge();
-    if(curvature * limit > chord_factor * m_criteria.gamma())
-      limit = chord_factor * m_criteria.gamma() / curvature;
-    if(m_criteria.distance() > 0 && curvature * limit * limit > chord_factor * m_criteria.distance())
-      limit = std::sqrt(chord_factor * m_criteria.distance() / curvature);
+    if(curvature * limit > m_chord_factor * m_criteria.gamma())
+      limit = m_chord_factor * m_criteria.gamma() / curvature;
+    if(m_criteria.distance() > 0 && curvature * limit * limit > m_chord_factor * m_criteria.distance())
+      limit = std::sqrt(m_chord_factor * m_criteria.distance() / curvature);
     return limit;
   }
 
