@@ -216,12 +216,12 @@ public:
     return *this;
   }
 
-  /// how many triangles a patch may have, by an estimate, before it is split into parts of up to half as many that are
-  /// meshed by themselves, at the same time where there are threads, and joined. The split depends on the patch and the
-  /// criteria alone, and leaves no trace but in the order of vertices and faces, and up to some 15 percent more triangles
-  /// where sizes differ much within a patch. Patches with collapsed sides, or loops that touch, are not split. 0 for never.
-  /// Default: 100000 with frontal placement. Others work from place to place whatever the size, and parts are for threads
-  /// alone: 2 million.
+  /// how many triangles a patch may have, by an estimate, before it is split into parts of up to half as many, or a fiftieth
+  /// of the patch if that is more, that are meshed by themselves, at the same time where there are threads, and joined. The
+  /// split depends on the patch and the criteria alone, and leaves no trace but in the order of vertices and faces, and up to
+  /// some 15 percent more triangles where sizes differ much within a patch. Patches with collapsed sides and no chart, or
+  /// with loops that touch, are not split. 0 for never. Default: 100000 with frontal placement; 2 million with the others,
+  /// which work from place to place whatever the size, so that parts are for threads alone.
   Parametric_surface_mesh_criteria& set_part_size(std::size_t number_of_triangles)
   {
     m_part_size = number_of_triangles;

@@ -21,7 +21,7 @@ namespace internal {
 
 /*
 The parts of a patch with more triangles than it may have: it is cut in two, and so are its parts, until none has more than
-half as many, or no good cut is found. Depends on the input alone.
+half as many or a fiftieth of the patch, or no good cut is found. Depends on the input alone.
 
 Points of cuts have indices from `first_index()` on. Each belongs to a seam, where the trace of the cut will be removed: that
 of its cut or, close to where cuts meet, that of the meeting point.
@@ -34,7 +34,8 @@ class Patch_parts
   typedef std::vector<std::size_t> Chain; // indices of nodes
 
   static const std::size_t no_seam = std::size_t(-1);
-  static constexpr double share_of_part = 0.5; // of what a patch may have: it suits caches
+  static constexpr double share_of_part = 0.5;      // of what a patch may have: it suits caches
+  static constexpr double least_share_of_patch = 0.02; // more parts take longer to join than caches save
   static const std::size_t reach_of_meeting_point = 8; // along the cuts, in edges
 
   std::size_t m_first_index = 0, m_number_of_seams = 0;
@@ -47,8 +48,9 @@ public:
   Patch_parts(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch, const Boundary_loops<Kernel>& loops,
               double max_weight)
   {
-    const double max_weight_of_part = share_of_part * max_weight;
     std::vector<Region> stack(1, region_of_patch(evaluate, sketch, loops));
+    const double max_weight_of_part
+      = (std::max)(share_of_part * max_weight, least_share_of_patch * stack.front().weight());
     const Region_cutter<Evaluator> find_cut(evaluate, sketch);
     while(!stack.empty()) {
       Region region = std::move(stack.back());
