@@ -57,7 +57,8 @@ TEST_P(Sample_shapes, circumcenters_alone)
   const CGAL::Triangle_mesh_quality q
     = quality(sample, unimproved(uniform(sample, 5000)).set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER));
   EXPECT_GT(q.min_angle, 30 - 1e-9);
-  EXPECT_GT(q.mean_radius_ratio, 0.9);
+  EXPECT_GT(q.mean_min_angle, 48);
+  EXPECT_GT(q.mean_radius_ratio, 0.91);
 }
 
 TEST_P(Sample_shapes, off_centers_alone)

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <CGAL/Parametric_surface_mesh_visitor.h>
+#include <CGAL/Parametric_surface_mesher/internal/Loop_inside.h>
+#include <CGAL/Polygon_2.h>
 #include <CGAL/Triangle_mesh_quality.h>
 #include <CGAL/make_parametric_surface_mesh.h>
 
@@ -12,6 +14,7 @@
 #include <Sample_surfaces.h>
 #include <check_invariants.h>
 #include <mesher_test_helpers.h>
+#include <random_input.h>
 
 #include <tbb/global_control.h>
 
@@ -98,6 +101,37 @@ Domain horseshoe()
 }
 
 } // namespace
+
+TEST(Split_patch_criteria, size_of_parts_by_placement)
+{
+  EXPECT_EQ(100000u, Criteria().part_size());
+  EXPECT_EQ(2000000u, Criteria().set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER).part_size());
+  EXPECT_EQ(2000000u, Criteria().set_placement(CGAL::Mesh_point_placement::OFF_CENTER).part_size());
+  EXPECT_EQ(7u, Criteria().set_part_size(7).set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER).part_size());
+  EXPECT_EQ(0u, Criteria().set_part_size(0).part_size());
+}
+
+// Stars, most of whose edges run up and down, against CGAL's polygons.
+TEST(Loop_inside, is_as_polygons_tell)
+{
+  namespace internal = CGAL::Parametric_surface_mesher::internal;
+  typedef internal::Region_node<Test_kernel> Node;
+  Random_input random(7);
+  for(int n : {3, 4, 10, 300}) {
+    CGAL::Polygon_2<Test_kernel> polygon;
+    std::vector<Node> loop;
+    for(int i = 0; i < n; ++i) {
+      const double angle = 8 * std::atan(1.) * i / n, radius = random.real(0.3, 1);
+      polygon.push_back(Point_2(1 + radius * std::cos(angle), 20 * radius * std::sin(angle)));
+      loop.emplace_back(internal::Boundary_vertex<Test_kernel>{polygon[std::size_t(i)], CGAL::ORIGIN, 0}, CGAL::Metric_tensor_2());
+    }
+    const internal::Loop_inside<Test_kernel> is_inside(loop);
+    for(int i = 0; i < 2000; ++i) {
+      const Point_2 p(random.real(-0.2, 2.2), random.real(-22, 22));
+      EXPECT_EQ(polygon.has_on_bounded_side(p), is_inside(p)) << n << " " << p;
+    }
+  }
+}
 
 TEST_P(Split_patch, is_as_good_as_whole)
 {

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Stress tests: the coordinates that patches with collapsed sides are meshed in.
+#include <CGAL/First_fundamental_form_metric_2.h>
 #include <CGAL/Parametric_function_surface_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/Charted_surface_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
+#include <CGAL/Parametric_surface_oracle_3.h>
 
 #include <gtest/gtest.h>
 
@@ -59,6 +61,36 @@ void check_chart(const Surface& surface, const Chart& chart, double u_max, doubl
     }
 }
 
+// Heights over edges between points of a chart, where domain lines count: as those of the surface in its own coordinates.
+template <class Surface>
+void check_heights(const Surface& surface, const Chart& chart, double u_max, double v_max)
+{
+  typedef internal::Charted_surface_3<Surface> Charted;
+  typedef internal::Patch_point_2<Test_kernel> Patch_point;
+  ASSERT_TRUE(chart.keeps_domain_lines());
+  const CGAL::First_fundamental_form_metric_2<Test_kernel> metric;
+  const Charted charted(surface, chart);
+  const auto in_chart = CGAL::make_parametric_surface_oracle(charted, metric, {});
+  const auto in_domain = CGAL::make_parametric_surface_oracle(surface, metric, {});
+  const auto point = [&](const Point_2& place, const Point_2& uv) {
+    const auto jet = surface.jet(uv.x(), uv.y());
+    return Patch_point(place, jet.point, metric.tensor(jet));
+  };
+  const double gamma = 100; // no part of a height is left out
+  for(double a : {0.1, 0.5, 0.8})
+    for(double b : {0.1, 0.5, 0.8})
+      for(double step : {-0.05, 0.02, 0.1}) {
+        const Point_2 p(a * u_max, b * v_max), q((a + step) * u_max, (b + 0.5 * step) * v_max);
+        Patch_point z = point(chart.chart_point(p), p), w = point(chart.chart_point(q), q);
+        charted.set_line_point(z);
+        charted.set_line_point(w);
+        EXPECT_NEAR(p.x(), z.line_point().x(), 1e-9);
+        EXPECT_NEAR(p.y(), z.line_point().y(), 1e-9);
+        const double expected = in_domain.squared_height(point(p, p), point(q, q), gamma);
+        EXPECT_NEAR(expected, in_chart.squared_height(z, w, gamma), 1e-9 * (1 + expected));
+      }
+}
+
 // the largest ratio of the chart's lengths in two perpendicular directions
 template <class Surface>
 double distortion(const Surface& surface, const Chart& chart, double u_max, double v_max)
@@ -99,6 +131,7 @@ TEST(Charts, one_pole)
   const Chart chart = internal::find_chart(hemisphere, rectangle(6.28, 1.57, {0, 0, 1, 2}));
   ASSERT_FALSE(chart.is_identity());
   check_chart(hemisphere, chart, 6.28, 1.57);
+  check_heights(hemisphere, chart, 6.28, 1.57);
 }
 
 TEST(Charts, one_pole_of_a_long_tube)
@@ -123,6 +156,7 @@ TEST(Charts, two_poles)
   const Chart chart = internal::find_chart(spindle, rectangle(6.28, 3.14, {0, 0, 1, 1}));
   ASSERT_FALSE(chart.is_identity());
   check_chart(spindle, chart, 6.28, 3.14);
+  check_heights(spindle, chart, 6.28, 3.14);
 }
 
 // of all four corners
@@ -140,6 +174,10 @@ TEST(Charts, corner)
     const Chart chart = internal::find_chart(surface, rectangle(2, 1, indices));
     ASSERT_FALSE(chart.is_identity());
     check_chart(surface, chart, 2, 1);
+    EXPECT_FALSE(chart.keeps_domain_lines());
+    internal::Patch_point_2<Test_kernel> point(Point_2(0.2, 0.1));
+    internal::Charted_surface_3(surface, chart).set_line_point(point);
+    EXPECT_EQ(point.domain_point(), point.line_point());
     EXPECT_TRUE(chart.is_pole(chart.chart_point(Point_2(is_right ? 2 : 0, 0.3))));
     EXPECT_TRUE(chart.is_pole(chart.chart_point(Point_2(0.3, is_top ? 1 : 0))));
     const Point_2 o = chart.chart_point(Point_2(1, 0.5)), p = chart.chart_point(Point_2(1.01, 0.5)), q = chart.chart_point(Point_2(1, 0.51));
