@@ -9,6 +9,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -336,11 +337,14 @@ public:
       return Mesh_2::NOT_BAD;
     }
 
-    /// evaluates deviation and distance of the triangle alone.
+    /// evaluates the triangle.
     template <class Face_handle>
-    Mesh_2::Face_badness is_bad_by_deviation(Face_handle f, Quality& quality) const
+    Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
     {
       using namespace Parametric_surface_mesher::internal;
+      const Mesh_2::Face_badness shape = is_bad_by_shape(f, quality);
+      if(shape != Mesh_2::NOT_BAD)
+        return shape;
       quality.criterion = Mesh_criterion::DEVIATION;
       const Squared_deviation deviation = squared_deviation_of_edges(f, m_oracle, m_limits);
       quality.badness = deviation.ratio / (m_limits.gamma * m_limits.gamma);
@@ -352,14 +356,6 @@ public:
                           / m_limits.squared_distance;
       }
       return (*this)(quality);
-    }
-
-    /// evaluates the triangle.
-    template <class Face_handle>
-    Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
-    {
-      const Mesh_2::Face_badness shape = is_bad_by_shape(f, quality);
-      return shape != Mesh_2::NOT_BAD ? shape : is_bad_by_deviation(f, quality);
     }
   };
 

@@ -82,8 +82,8 @@ void check_heights(const Surface& surface, const Chart& chart, double u_max, dou
       for(double step : {-0.05, 0.02, 0.1}) {
         const Point_2 p(a * u_max, b * v_max), q((a + step) * u_max, (b + 0.5 * step) * v_max);
         Patch_point z = point(chart.chart_point(p), p), w = point(chart.chart_point(q), q);
-        charted.set_line_point(z);
-        charted.set_line_point(w);
+        set_line_point(charted, z);
+        set_line_point(charted, w);
         EXPECT_NEAR(p.x(), z.line_point().x(), 1e-9);
         EXPECT_NEAR(p.y(), z.line_point().y(), 1e-9);
         const double expected = in_domain.squared_height(point(p, p), point(q, q), gamma);
@@ -176,7 +176,7 @@ TEST(Charts, corner)
     check_chart(surface, chart, 2, 1);
     EXPECT_FALSE(chart.keeps_domain_lines());
     internal::Patch_point_2<Test_kernel> point(Point_2(0.2, 0.1));
-    internal::Charted_surface_3(surface, chart).set_line_point(point);
+    set_line_point(internal::Charted_surface_3(surface, chart), point);
     EXPECT_EQ(point.domain_point(), point.line_point());
     EXPECT_TRUE(chart.is_pole(chart.chart_point(Point_2(is_right ? 2 : 0, 0.3))));
     EXPECT_TRUE(chart.is_pole(chart.chart_point(Point_2(0.3, is_top ? 1 : 0))));

@@ -44,13 +44,6 @@ public:
   // Whether edges are straight in the domain and not in the coordinates of the chart.
   bool has_bent_edges() const { return !m_chart.is_identity() && m_chart.keeps_domain_lines(); }
 
-  // see `Patch_point_2`
-  void set_line_point(Patch_point_2<Geom_traits>& point) const
-  {
-    if(has_bent_edges())
-      point.set_line_point(domain_point(point.domain_point()));
-  }
-
   Point_3 point(double x, double y) const
   {
     if(m_chart.is_identity())
@@ -88,6 +81,13 @@ private:
     return m_domain_jet(uv, [this](const Point_2& p) { return m_surface.jet(p.x(), p.y()); });
   }
 };
+
+template <class Surface, class Kernel>
+void set_line_point(const Charted_surface_3<Surface>& surface, Patch_point_2<Kernel>& point)
+{
+  if(surface.has_bent_edges())
+    point.set_line_point(surface.domain_point(point.domain_point()));
+}
 
 template <class Surface, class Point_2>
 Point_2 place_in_domain(const Charted_surface_3<Surface>& surface, const Point_2& z)

@@ -105,7 +105,7 @@ private:
     }
     const bool is_regular = is_well_conditioned(tensor);
     Patch_point_2<Kernel> point(uv, surface_point, is_regular ? tensor : regularized(tensor));
-    m_oracle.surface().set_line_point(point);
+    set_line_point(m_oracle.surface(), point);
     return {point, jet, is_by_chords || !is_regular, !is_regular};
   }
 

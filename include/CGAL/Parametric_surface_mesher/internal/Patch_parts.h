@@ -34,7 +34,7 @@ class Patch_parts
   typedef std::vector<std::size_t> Chain; // indices of nodes
 
   static const std::size_t no_seam = std::size_t(-1);
-  static constexpr double share_of_part = 0.5;      // of what a patch may have: it suits caches
+  static constexpr double share_of_part = 0.5;         // of what a patch may have: it suits caches
   static constexpr double least_share_of_patch = 0.02; // more parts take longer to join than caches save
   static const std::size_t reach_of_meeting_point = 8; // along the cuts, in edges
 

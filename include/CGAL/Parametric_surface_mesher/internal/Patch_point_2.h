@@ -36,6 +36,12 @@ public:
   const Point_2& line_point() const { return m_line_point; }
 };
 
+// Gives a point its place on the lines that count: in its own coordinates a surface leaves it where it is; `Charted_surface_3`
+// has an overload.
+template <class Surface, class Kernel>
+void set_line_point(const Surface&, Patch_point_2<Kernel>&)
+{}
+
 } // namespace internal
 } // namespace Parametric_surface_mesher
 } // namespace CGAL

@@ -41,7 +41,7 @@ public:
   Evaluated_point<Kernel> operator()(const Point_2& uv, const Point_3& surface_point, double /* spacing */) const
   {
     Patch_point_2<Kernel> point(uv, surface_point, tensor(uv));
-    m_oracle.surface().set_line_point(point);
+    set_line_point(m_oracle.surface(), point);
     return {{point, Surface_jet_3<Kernel>(), false, false}, 0};
   }
 
