@@ -14,6 +14,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Point_placement.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,8 @@ private:
   typedef typename Point_placement<Kernel>::Weights Weights;
 
   static constexpr double fraction_of_spacing = 0.15;
-  static constexpr double tolerated_squared_error = 0.02 * 0.02; // of a point's place, by the circumradius
+  // Of a point's place, by the circumradius. What a front has left is at odd places, where small errors do not matter.
+  static constexpr double tolerated_error = 0.02, tolerated_error_after_front = 0.2;
   static const int max_number_of_corrections = 4;
 
   Triangulation& m_triangulation;
@@ -58,7 +60,7 @@ private:
   Bad_face_queue<Face_handle> m_queue;
   Inner_points m_points;
   std::vector<Point_2> m_positions;
-  double m_squared_min_distance;
+  double m_squared_min_distance, m_tolerated_squared_error;
   bool m_tests_shape_only = false;
   bool m_is_stopped = false;
 
@@ -66,7 +68,9 @@ public:
   Patch_refinement(Triangulation& triangulation, const Evaluator& evaluate, const Criteria& criteria, Visitor& visitor)
     : m_triangulation(triangulation), m_evaluate(evaluate), m_criteria(criteria), m_visitor(visitor),
       m_is_bad(criteria.is_bad_object(evaluate.oracle())), m_points(triangulation, evaluate),
-      m_squared_min_distance(criteria.min_edge() * criteria.min_edge())
+      m_squared_min_distance(square(criteria.min_edge())),
+      m_tolerated_squared_error(
+        square(criteria.placement() == Mesh_point_placement::FRONTAL ? tolerated_error_after_front : tolerated_error))
   {}
 
   // The first points, from the boundary inwards.
@@ -206,7 +210,7 @@ private:
     const Landing<Kernel> landing(face, weights);
     for(int step = 0; step < max_number_of_corrections; ++step) {
       const double squared_error = landing.squared_error(candidate.position.point);
-      if(!(squared_error > tolerated_squared_error * squared_circumradius))
+      if(!(squared_error > m_tolerated_squared_error * squared_circumradius))
         break;
       Candidate corrected;
       if(!m_points.locate(candidate.location.face, landing.corrected(candidate.position.point), corrected)
