@@ -3,6 +3,8 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_BAD_FACE_QUEUE_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_BAD_FACE_QUEUE_H
 
+#include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -58,6 +60,8 @@ public:
         const Entry entry = m_buckets[m_top].back();
         m_buckets[m_top].pop_back();
         --m_size;
+        if(!m_buckets[m_top].empty())
+          prefetch(*m_buckets[m_top].back().face);
         if(entry.face->stamp() == entry.stamp)
           return entry.face;
       }
