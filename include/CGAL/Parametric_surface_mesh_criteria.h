@@ -341,10 +341,15 @@ public:
     template <class Face_handle>
     Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
     {
-      using namespace Parametric_surface_mesher::internal;
       const Mesh_2::Face_badness shape = is_bad_by_shape(f, quality);
-      if(shape != Mesh_2::NOT_BAD)
-        return shape;
+      return shape != Mesh_2::NOT_BAD ? shape : is_bad_by_deviation(f, quality);
+    }
+
+    /// evaluates deviation and distance of the triangle alone.
+    template <class Face_handle>
+    Mesh_2::Face_badness is_bad_by_deviation(Face_handle f, Quality& quality) const
+    {
+      using namespace Parametric_surface_mesher::internal;
       quality.criterion = Mesh_criterion::DEVIATION;
       const Squared_deviation deviation = squared_deviation_of_edges(f, m_oracle, m_limits);
       quality.badness = deviation.ratio / (m_limits.gamma * m_limits.gamma);

@@ -140,9 +140,12 @@ private:
     if(is_collapsed(face))
       return Mesh_2::NOT_BAD;
     typedef Parametric_surface_mesh_criteria::Is_bad<typename Evaluator::Oracle> Own_is_bad;
-    if constexpr(std::is_same_v<Is_bad, Own_is_bad>)
+    if constexpr(std::is_same_v<Is_bad, Own_is_bad>) {
       if(m_tests_shape_only)
         return m_is_bad.is_bad_by_shape(face, quality);
+      if(face->state() == Face_state::GOOD && m_is_bad.is_bad_by_deviation(face, quality) == Mesh_2::NOT_BAD)
+        return Mesh_2::NOT_BAD; // its shape was found good before
+    }
     return m_is_bad(face, quality);
   }
 
