@@ -10,6 +10,7 @@
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_vertex_base_2.h>
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -40,7 +41,11 @@ public:
   double spacing() const { return m_spacing; }
   void set_spacing(double spacing) { m_spacing = spacing; }
   std::size_t index() const { return m_index; }
-  void set_index(std::size_t index) { m_index = std::uint32_t(index); }
+  void set_index(std::size_t index)
+  {
+    CGAL_assertion(index <= std::uint32_t(-1)); // meshes with more points are refused in the end
+    m_index = std::uint32_t(index);
+  }
   bool is_on_boundary() const { return m_is_on_boundary; }
   void set_on_boundary(bool b) { m_is_on_boundary = b; }
 
