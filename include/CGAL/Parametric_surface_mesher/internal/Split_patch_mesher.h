@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <numeric>
@@ -52,7 +53,7 @@ class Split_patch_mesher
 
   static constexpr double triangles_in_sketch = 600; // of a patch just large enough to be split
   static constexpr double most_triangles_by_boundary = 3; // over the number that the boundary tells
-  static const std::size_t not_shared = std::size_t(-1);
+  static const std::size_t not_shared = std::uint32_t(-1); // the largest index that a vertex of a triangulation holds
 
   // why triangles of a part, or a strip, were left bad: beside the boundary of the patch, or a cut
   struct Causes
