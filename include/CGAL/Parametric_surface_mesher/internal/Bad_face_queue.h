@@ -3,73 +3,113 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_BAD_FACE_QUEUE_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_BAD_FACE_QUEUE_H
 
-#include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
+#include <CGAL/Parametric_surface_mesher/internal/Bad_face_buckets.h>
+#include <CGAL/Parametric_surface_mesher/internal/Balanced_cells_2.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-enum class Urgency
-{
-  LAST,
-  NORMAL,
-  FIRST
-};
-
 /*
-Bad faces, by urgency, then worst first: buckets of similar badness (half octaves, as badness is a squared ratio), last in
-first out inside a bucket, which keeps neighbouring faces together in memory. An entry whose face has changed since is
-skipped.
+Bad faces in the order of their refinement. First those that are far too large, worst first, wherever they are; then all
+others, cell by cell of the domain and worst first in each: so the memory of a cell stays in the processor's cache until the
+cell is done, and what is close in the mesh is close in memory ever after. A face is in the cell of its vertex 0, the one
+inserted last. Small meshes are one cell.
 */
 template <class Face_handle>
 class Bad_face_queue
 {
-  struct Entry
-  {
-    Face_handle face;
-    std::uint32_t stamp;
-  };
+  typedef internal::Bad_face<Face_handle> Bad_face;
+  typedef std::decay_t<decltype(std::declval<Face_handle>()->vertex(0)->point().domain_point())> Point_2;
+  typedef Balanced_cells_2<Point_2> Cells;
 
-  static const int buckets_per_urgency = 32, number_of_buckets = 3 * buckets_per_urgency;
-  std::array<std::vector<Entry>, number_of_buckets> m_buckets;
-  int m_top = -1; // no bucket above it holds an entry
-  std::size_t m_size = 0;
+  // From this badness on cells are not looked at. It is about the number of triangles that a face is refined to.
+  static const int first_octave_of_coarse = 9;
+  static constexpr double triangles_in_cell = 32000; // 4 MB
+
+  Bad_face_buckets<Face_handle> m_at_hand;
+  Cells m_cells;
+  std::vector<std::vector<Bad_face>> m_waiting; // by cell
+  std::size_t m_cell = 0;                       // whose faces are at hand
+  std::size_t m_number_of_waiting = 0;
+  bool m_has_cells = false;
 
 public:
+  Bad_face_queue() : m_waiting(1) {}
+
   void push(Face_handle face, double badness, Urgency urgency)
   {
-    const int octave = badness < 1e9 ? std::ilogb((std::max)(badness, 1.)) : buckets_per_urgency - 1;
-    const int bucket = int(urgency) * buckets_per_urgency + octave;
-    m_buckets[bucket].push_back({face, face->stamp()});
-    m_top = (std::max)(m_top, bucket);
-    ++m_size;
+    const Bad_face bad(face, badness, urgency);
+    if(bad.octave >= first_octave_of_coarse)
+      m_at_hand.push(bad);
+    else
+      push(bad);
   }
 
-  // the worst face, or a default constructed handle if there is none
+  // the next face, or a default constructed handle if there is none
   Face_handle pop()
   {
-    for(; m_top >= 0; --m_top)
-      while(!m_buckets[m_top].empty()) {
-        const Entry entry = m_buckets[m_top].back();
-        m_buckets[m_top].pop_back();
-        --m_size;
-        if(!m_buckets[m_top].empty())
-          prefetch(*m_buckets[m_top].back().face);
-        if(entry.face->stamp() == entry.stamp)
-          return entry.face;
-      }
-    return Face_handle();
+    for(;;) {
+      const Face_handle face = m_at_hand.pop();
+      if(face != Face_handle() || m_number_of_waiting == 0)
+        return face;
+      if(m_has_cells)
+        take_next_cell();
+      else
+        make_cells();
+    }
   }
 
   // the number of entries, an upper bound of the number of faces waiting
-  std::size_t size() const { return m_size; }
+  std::size_t size() const { return m_at_hand.size() + m_number_of_waiting; }
+
+private:
+  static const Point_2& place(const Bad_face& bad) { return bad.face->vertex(0)->point().domain_point(); }
+
+  void push(const Bad_face& bad)
+  {
+    const std::size_t cell = m_cells(place(bad));
+    if(m_has_cells && cell == m_cell)
+      m_at_hand.push(bad);
+    else {
+      m_waiting[cell].push_back(bad);
+      ++m_number_of_waiting;
+    }
+  }
+
+  // once nothing coarse is left
+  void make_cells()
+  {
+    const std::vector<Bad_face> all = std::move(m_waiting[0]);
+    std::vector<typename Cells::Weighted_point> points;
+    for(const Bad_face& bad : all)
+      if(bad.is_up_to_date())
+        points.push_back({place(bad), std::ldexp(1., bad.octave)});
+    m_cells.divide(std::move(points), triangles_in_cell);
+    m_waiting.assign(m_cells.size(), {});
+    m_number_of_waiting = 0;
+    m_has_cells = true;
+    for(const Bad_face& bad : all)
+      if(bad.is_up_to_date())
+        push(bad);
+  }
+
+  // \pre a face waits
+  void take_next_cell()
+  {
+    while(m_waiting[m_cell].empty())
+      m_cell = m_cell + 1 < m_waiting.size() ? m_cell + 1 : 0;
+    for(const Bad_face& bad : m_waiting[m_cell])
+      m_at_hand.push(bad);
+    m_number_of_waiting -= m_waiting[m_cell].size();
+    m_waiting[m_cell].clear();
+  }
 };
 
 } // namespace internal
