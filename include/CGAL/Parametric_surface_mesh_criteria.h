@@ -222,7 +222,7 @@ public:
   /// split depends on the patch and the criteria alone, and leaves no trace but in the order of vertices and faces, and up to
   /// some 15 percent more triangles where sizes differ much within a patch. Patches with collapsed sides and no chart, or
   /// with loops that touch, are not split. 0 for never. Default: 100000 with frontal placement; 2 million with the others,
-  /// which work from place to place whatever the size, so that parts are for threads alone.
+  /// which are placed cell by cell of the domain whatever the size, so that parts are for threads alone.
   Parametric_surface_mesh_criteria& set_part_size(std::size_t number_of_triangles)
   {
     m_part_size = number_of_triangles;

@@ -73,6 +73,21 @@ TEST_P(Sample_shapes, off_centers_alone)
 INSTANTIATE_TEST_SUITE_P(Samples, Sample_shapes, ::testing::ValuesIn(sample_names()),
                          [](const auto& info) { return info.param; });
 
+// Large enough for the queue of bad faces to be in cells: no more triangles, and as good ones, as in one.
+TEST(Circumcenters, cell_by_cell)
+{
+  for(const char* name : {"peak", "hole", "sphere"}) {
+    const Sample sample = make_sample(name);
+    const double n = 150000;
+    const CGAL::Triangle_mesh_quality q
+      = quality(sample, unimproved(uniform(sample, n)).set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER));
+    EXPECT_LT(double(q.number_of_faces), 1.15 * n) << name; // on `peak` curvature asks for some
+    EXPECT_GT(q.min_angle, 30 - 1e-9) << name;
+    EXPECT_GT(q.mean_min_angle, 48.3) << name;
+    EXPECT_GT(q.mean_radius_ratio, 0.914) << name;
+  }
+}
+
 TEST(Improvement, no_time)
 {
   const Sample torus = make_sample("torus");
