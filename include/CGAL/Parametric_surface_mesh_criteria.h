@@ -337,14 +337,6 @@ public:
       return Mesh_2::NOT_BAD;
     }
 
-    /// evaluates the triangle.
-    template <class Face_handle>
-    Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
-    {
-      const Mesh_2::Face_badness shape = is_bad_by_shape(f, quality);
-      return shape != Mesh_2::NOT_BAD ? shape : is_bad_by_deviation(f, quality);
-    }
-
     /// evaluates deviation and distance of the triangle alone.
     template <class Face_handle>
     Mesh_2::Face_badness is_bad_by_deviation(Face_handle f, Quality& quality) const
@@ -361,6 +353,14 @@ public:
                           / m_limits.squared_distance;
       }
       return (*this)(quality);
+    }
+
+    /// evaluates the triangle.
+    template <class Face_handle>
+    Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
+    {
+      const Mesh_2::Face_badness shape = is_bad_by_shape(f, quality);
+      return shape != Mesh_2::NOT_BAD ? shape : is_bad_by_deviation(f, quality);
     }
   };
 

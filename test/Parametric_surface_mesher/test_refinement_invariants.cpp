@@ -4,6 +4,7 @@
 // Random trimmed patches never break an invariant: orientation, boundary, topology, an honest report, determinism.
 #include <gtest/gtest.h>
 
+#include <Sample_surfaces.h>
 #include <check_invariants.h>
 #include <random_patches.h>
 
@@ -65,6 +66,20 @@ TEST_P(Placement_invariants, sharp_corners_and_uneven_divisions)
     patch.criteria.set_placement(GetParam());
     return patch;
   });
+}
+
+// large enough for bad faces to be refined in several cells of the domain
+TEST_P(Placement_invariants, large_patches)
+{
+  for(const char* name : {"hole", "cap"}) {
+    SCOPED_TRACE(name);
+    const Sample sample = make_sample(name);
+    const double size = sample.edge_length(80000);
+    const Report report = check_invariants(sample.surface, sample.domain,
+                                           Criteria().set_max_edge(size).set_min_edge(size / 100).set_placement(GetParam()));
+    EXPECT_GT(report.number_of_faces, 70000u);
+    EXPECT_TRUE(report.unmet.empty());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Every_placement, Placement_invariants,

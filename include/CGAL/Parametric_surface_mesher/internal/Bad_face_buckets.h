@@ -3,6 +3,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_BAD_FACE_BUCKETS_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_BAD_FACE_BUCKETS_H
 
+#include <CGAL/Parametric_surface_mesher/internal/Stamped_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
 
 #include <algorithm>
@@ -23,23 +24,20 @@ enum class Urgency : std::uint8_t
   FIRST
 };
 
-// A face that was bad when it had this stamp, by how much: powers of two of its badness.
+// A bad face, and how bad it is: powers of two of its badness.
 template <class Face_handle>
 struct Bad_face
+  : public Stamped_face<Face_handle>
 {
   static const int number_of_octaves = 32;
 
-  Face_handle face;
-  std::uint32_t stamp;
   std::uint8_t octave; // half of one for lengths, as badness is a squared ratio
   Urgency urgency;
 
   Bad_face(Face_handle f, double badness, Urgency u)
-    : face(f), stamp(f->stamp()),
+    : Stamped_face<Face_handle>(f),
       octave(std::uint8_t(badness < 1e9 ? std::ilogb((std::max)(badness, 1.)) : number_of_octaves - 1)), urgency(u)
   {}
-
-  bool is_up_to_date() const { return face->stamp() == stamp; }
 };
 
 /*

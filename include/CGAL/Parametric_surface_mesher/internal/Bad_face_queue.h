@@ -31,7 +31,7 @@ class Bad_face_queue
 
   // From this badness on cells are not looked at. It is about the number of triangles that a face is refined to.
   static const int first_octave_of_coarse = 9;
-  static constexpr double triangles_in_cell = 32000; // 4 MB
+  static constexpr double triangles_in_cell = 32000; // in the mean: 4 MB
 
   Bad_face_buckets<Face_handle> m_at_hand;
   Cells m_cells;
@@ -49,7 +49,7 @@ public:
     if(bad.octave >= first_octave_of_coarse)
       m_at_hand.push(bad);
     else
-      push(bad);
+      push_by_place(bad);
   }
 
   // the next face, or a default constructed handle if there is none
@@ -72,7 +72,7 @@ public:
 private:
   static const Point_2& place(const Bad_face& bad) { return bad.face->vertex(0)->point().domain_point(); }
 
-  void push(const Bad_face& bad)
+  void push_by_place(const Bad_face& bad)
   {
     const std::size_t cell = m_cells(place(bad));
     if(m_has_cells && cell == m_cell)
@@ -97,7 +97,7 @@ private:
     m_has_cells = true;
     for(const Bad_face& bad : all)
       if(bad.is_up_to_date())
-        push(bad);
+        push_by_place(bad);
   }
 
   // \pre a face waits

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <unordered_map>
 #include <unordered_set>
@@ -43,7 +42,6 @@ private:
   typedef Strip_triangulation<Kernel> Strip_maker;
 
   static const int number_of_rings = 4;
-  static const std::size_t on_border = std::uint32_t(-1);
 
   // a triangle that has left its part
   struct Taken
@@ -237,7 +235,7 @@ private:
     if(is_of_cut(vertex))
       m_is_on_border[vertex->index() - m_parts.first_index()] = true;
     else if(!vertex->is_on_boundary())
-      vertex->set_index(on_border);
+      vertex->set_index(no_vertex_index); // it gets one in `number_border()`
   }
 
   void number_border()
@@ -249,7 +247,7 @@ private:
           const Vertex_handle vertex = taken.face->vertex(i);
           if(is_of_cut(vertex))
             m_border[vertex->index() - m_parts.first_index()] = vertex->point();
-          else if(vertex->index() == on_border) {
+          else if(vertex->index() == no_vertex_index) {
             vertex->set_index(m_parts.first_index() + m_border.size());
             m_border.push_back(vertex->point());
           }

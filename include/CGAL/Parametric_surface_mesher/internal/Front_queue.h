@@ -3,11 +3,12 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_FRONT_QUEUE_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_FRONT_QUEUE_H
 
+#include <CGAL/Parametric_surface_mesher/internal/Stamped_face.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -24,11 +25,7 @@ triangles around a finely divided hole.) An entry whose face has changed since i
 template <class Face_handle>
 class Front_queue
 {
-  struct Entry
-  {
-    Face_handle face;
-    std::uint32_t stamp;
-  };
+  typedef Stamped_face<Face_handle> Entry;
 
   // entries from `first` on wait
   struct Tile
@@ -62,7 +59,7 @@ public:
     Octave& octave = m_octaves[n];
     octave.tiles.resize(m_number_of_tiles);
     Tile& tile = octave.tiles[tile_number];
-    tile.entries.push_back({face, face->stamp()});
+    tile.entries.emplace_back(face);
     m_top = (std::max)(m_top, n);
     ++m_size;
     if(tile_number != octave.current && !tile.is_waiting) {
@@ -104,7 +101,7 @@ private:
     while(tile.first < tile.entries.size()) {
       const Entry entry = tile.entries[tile.first++];
       --m_size;
-      if(entry.face->stamp() == entry.stamp)
+      if(entry.is_up_to_date())
         return entry.face;
     }
     tile = Tile(); // gives its memory back

@@ -19,6 +19,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
+// The largest index that a vertex holds: of none in the mesh.
+const std::size_t no_vertex_index = std::uint32_t(-1);
+
 // A vertex with its spacing (paper, eq. 2) and its index in the mesh. Boundary vertices have their index from the
 // division, and come first.
 template <class Traits, class Base = Triangulation_vertex_base_2<Traits>>
@@ -43,7 +46,7 @@ public:
   std::size_t index() const { return m_index; }
   void set_index(std::size_t index)
   {
-    CGAL_assertion(index <= std::uint32_t(-1)); // meshes with more points are refused in the end
+    CGAL_assertion(index <= no_vertex_index); // meshes with more points are refused in the end
     m_index = std::uint32_t(index);
   }
   bool is_on_boundary() const { return m_is_on_boundary; }

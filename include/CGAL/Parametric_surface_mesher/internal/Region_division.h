@@ -117,7 +117,7 @@ private:
   // of the edges from `here`, for who comes from `before`: the first clockwise from where that is
   std::size_t leftmost(std::size_t before, std::size_t here) const
   {
-    if(m_targets[here].size() == 1)
+    if(m_targets[here].size() == 1) // as nearly everywhere: no angles are needed
       return 0;
     const double back = direction(here, before);
     std::size_t result = 0;

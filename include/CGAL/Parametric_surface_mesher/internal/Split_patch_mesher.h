@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <numeric>
@@ -49,11 +48,10 @@ class Split_patch_mesher
   typedef typename Triangulation::Face_handle Face_handle;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef Boundary_loops<Kernel> Loops;
-  typedef Boundary_vertex<Kernel> Shared_vertex; // its index is that in the mesh, once it is there
+  typedef Boundary_vertex<Kernel> Shared_vertex; // its index is that in the mesh, once it is there; none if not shared
 
   static constexpr double triangles_in_sketch = 600; // of a patch just large enough to be split
   static constexpr double most_triangles_by_boundary = 3; // over the number that the boundary tells
-  static const std::size_t not_shared = std::uint32_t(-1); // the largest index that a vertex of a triangulation holds
 
   // why triangles of a part, or a strip, were left bad: beside the boundary of the patch, or a cut
   struct Causes
@@ -137,7 +135,7 @@ public:
   {
     add_to(report);
     for(Shared_vertex& vertex : m_shared) {
-      if(vertex.index == not_shared)
+      if(vertex.index == no_vertex_index)
         continue;
       vertex.index = mesh.points.size();
       mesh.points.push_back(vertex.surface_point);
@@ -222,7 +220,7 @@ private:
     else
       join_parts<ConcurrencyTag>(*parts);
     for(const Shared_vertex& vertex : m_shared)
-      m_number_of_inner_vertices += vertex.index != not_shared;
+      m_number_of_inner_vertices += vertex.index != no_vertex_index;
     return m_number_of_inner_vertices + number_of_vertices<Kernel>(m_boundary.loops()) < m_criteria.max_number_of_vertices();
   }
 
@@ -270,7 +268,7 @@ private:
     m_number_of_inner_vertices -= std::accumulate(numbers_taken.begin(), numbers_taken.end(), std::size_t(0));
     for(std::size_t i = 0; i < strips.border().size(); ++i) {
       const auto& point = strips.border()[i];
-      m_shared.push_back({point.domain_point(), point.surface_point(), strips.is_on_border(i) ? 0 : not_shared});
+      m_shared.push_back({point.domain_point(), point.surface_point(), strips.is_on_border(i) ? 0 : no_vertex_index});
     }
   }
 
