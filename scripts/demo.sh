@@ -16,8 +16,8 @@ mkdir -p build
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release > build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
 
 targets=(mesh_patch print_results_table)
-# there only if Open CASCADE is
-if cmake --build build --target help | grep -qw mesh_cad; then
+# There only if Open CASCADE is. (Not by a pipe: grep ends at the first match, make fails to write on, and so does the pipe.)
+if grep -qw mesh_cad <<< "$(cmake --build build --target help)"; then
   targets+=(mesh_cad)
 fi
 echo "== Building ${targets[*]}"
