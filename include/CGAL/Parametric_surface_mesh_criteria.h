@@ -71,7 +71,7 @@ private:
   std::optional<std::size_t> m_part_size; // else by placement
   Curve_deviation m_curve_deviation = Curve_deviation::HEIGHT_OVER_CHORD;
   Mesh_point_placement m_placement = Mesh_point_placement::FRONTAL;
-  unsigned int m_max_number_of_sweeps = 2;
+  std::optional<unsigned int> m_max_number_of_sweeps; // else by patch
   double m_improvement_angle = 40, m_improvement_time = std::numeric_limits<double>::infinity();
   Sizing_field m_sizing_field;
 
@@ -182,9 +182,12 @@ public:
     return *this;
   }
 
-  /// the largest number of sweeps in which inner vertices are moved to where the triangles around them are closest to
-  /// equilateral. The first two leave out moves that gain little for their time; with more than two, the others make nearly
-  /// all of them. Sweeps end when one moves few vertices, after some ten at most. 0 for none. Default: 2.
+  /// the largest number of sweeps over the inner vertices. In the first two, before refinement for deviation, they are moved
+  /// to where the triangles around are closest to equilateral, but for moves that gain little; further ones polish: they climb
+  /// the slope of mean ratios and smallest angles, and never make a triangle fail a criterion. Sweeps end when one moves few
+  /// vertices. 0 for none. Default: 2, or 5 for a patch of at least 2000 vertices of which the second sweep has moved a
+  /// fifth. 5 for all patches raises the mean smallest angle of models with many small ones by 0.6 to 1.1 degrees, and takes up to
+  /// twice the time.
   Parametric_surface_mesh_criteria& set_max_number_of_sweeps(unsigned int n)
   {
     m_max_number_of_sweeps = n;
@@ -231,7 +234,7 @@ public:
   /// @}
 
   /// \name Access
-  /// A length of 0 means that the default is to be taken.
+  /// A length of 0, and no number of sweeps, mean that the default is to be taken.
   /// @{
   double max_edge() const { return m_max_edge; }
   double min_edge() const { return m_min_edge; }
@@ -244,7 +247,7 @@ public:
   const Sizing_field& sizing_field() const { return m_sizing_field; }
   Curve_deviation curve_deviation() const { return m_curve_deviation; }
   Mesh_point_placement placement() const { return m_placement; }
-  unsigned int max_number_of_sweeps() const { return m_max_number_of_sweeps; }
+  const std::optional<unsigned int>& max_number_of_sweeps() const { return m_max_number_of_sweeps; }
   double improvement_angle() const { return m_improvement_angle; }
   double improvement_time() const { return m_improvement_time; }
   std::size_t max_number_of_vertices() const { return m_max_number_of_vertices; }

@@ -8,6 +8,7 @@
 #include "Size_spheres.h"
 #include "Usage_error.h"
 
+#include <boost/optional.hpp>
 #include <boost/program_options.hpp>
 
 #include <cmath>
@@ -28,6 +29,7 @@ struct Mesh_cad_options
   double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8, growth = 0;
   double sewing_tolerance = -1; // 0 for never, below 0 if not given
   Size_spheres spheres;         // from `sphere_list`
+  boost::optional<unsigned int> sweeps;
   unsigned int threads = 1;
   std::set<std::size_t> faces;                                 // from `face_list`; empty for all
   std::map<std::size_t, double> max_edge_of_face, max_edge_of_edge; // from the lists of sizes
@@ -94,6 +96,7 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("edge-size", text(o.edge_sizes, "E:L,..."), "the same for edges of the shape")
     ("sphere-size", po::value<std::vector<std::string>>(&o.sphere_list)->value_name("X,Y,Z,R:L"),
      "wanted edge length L in the sphere of radius R around a point, growing outside by 0.2 of the distance; may be given several times");
+  mesh_patch::add_sweeps(criteria, o.sweeps);
   po::options_description input("Input", 92);
   input.add_options()
     ("faces", text(o.face_list, "LIST"), "mesh these faces only: 1,4,7-9")
@@ -169,6 +172,7 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--growth: the growth must be at least 0 and below 10");
   if(given.count("sew") != 0 && !(o.sewing_tolerance >= 0 && std::isfinite(o.sewing_tolerance)))
     throw Usage_error("--sew: the distance must be a finite number, at least 0");
+  mesh_patch::check_sweeps(o.sweeps);
   if(o.threads == 0 || o.threads > 1024)
     throw Usage_error("--threads: the number must be at least 1 and at most 1024");
 #ifndef CGAL_LINKED_WITH_TBB

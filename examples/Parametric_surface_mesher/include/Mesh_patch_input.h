@@ -169,7 +169,9 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_patch_opt
   criteria.set_placement(options.placement == "frontal"      ? CGAL::Mesh_point_placement::FRONTAL
                          : options.placement == "off-center" ? CGAL::Mesh_point_placement::OFF_CENTER
                                                              : CGAL::Mesh_point_placement::CIRCUMCENTER);
-  criteria.set_max_number_of_sweeps(options.sweeps).set_improvement_angle(options.improvement_angle);
+  criteria.set_improvement_angle(options.improvement_angle);
+  if(options.sweeps)
+    criteria.set_max_number_of_sweeps(*options.sweeps);
   criteria.set_gamma(options.gamma).set_angle(options.angle).set_size_factor(options.size_factor);
   if(options.distance > 0)
     criteria.set_distance(options.distance);

@@ -10,6 +10,7 @@
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 
+#include <boost/optional.hpp>
 #include <boost/program_options.hpp>
 
 #include <cstddef>
@@ -28,7 +29,7 @@ struct Mesh_patch_options
   double angle = CGAL::Parametric_surface_mesh_criteria().angle();
   double size_factor = CGAL::Parametric_surface_mesh_criteria().size_factor();
   double improvement_angle = CGAL::Parametric_surface_mesh_criteria().improvement_angle();
-  unsigned int sweeps = CGAL::Parametric_surface_mesh_criteria().max_number_of_sweeps();
+  boost::optional<unsigned int> sweeps;
   std::vector<unsigned int> numbers_of_edges; // from `division`
   int ellipses = 0;
   bool is_quiet = false, is_help_wanted = false;
@@ -107,13 +108,12 @@ inline po::options_description described_options(Mesh_patch_options& o)
      "least curvature (first-fundamental-form)")
     ("placement", po::value<std::string>(&o.placement)->value_name("NAME"),
      "where new points are put: frontal, off-center or circumcenter (frontal)")
-    ("sweeps", po::value<unsigned int>(&o.sweeps)->value_name("N"),
-     with_default("largest number of smoothing sweeps", o.sweeps).c_str())
     ("improvement-angle", number(o.improvement_angle),
      with_default("angle in degrees below which triangles are improved one by one", o.improvement_angle).c_str())
     ("division", po::value<std::string>(&o.division)->value_name("N1,N2,..."),
      "numbers of edges of the boundary curves, loop by loop, or of the edges of a model that are no poles, in the order "
      "of their first use, face by face; 0 leaves a curve to the criteria");
+  add_sweeps(criteria, o.sweeps);
   po::options_description output("Output", 92);
   output.add_options()
     ("out", file(o.out), "the mesh, as .off, .obj, .ply or .stl")
@@ -157,8 +157,7 @@ inline void check_values(const po::variables_map& given, const Mesh_patch_option
     throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
   if(!(o.improvement_angle >= 0 && o.improvement_angle < 60))
     throw Usage_error("--improvement-angle: the angle must be at least 0 and below 60 degrees");
-  if(o.sweeps > 1000) // also what a negative number is read as
-    throw Usage_error("--sweeps: the number must be at least 0 and at most 1000");
+  check_sweeps(o.sweeps);
   if(o.placement != "frontal" && o.placement != "off-center" && o.placement != "circumcenter")
     throw Usage_error("--placement: '" + o.placement + "' must be frontal, off-center or circumcenter");
   if(o.max_edge > 0 && o.min_edge > o.max_edge)

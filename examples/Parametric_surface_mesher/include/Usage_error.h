@@ -5,6 +5,7 @@
 #ifndef USAGE_ERROR_H
 #define USAGE_ERROR_H
 
+#include <boost/optional.hpp>
 #include <boost/program_options.hpp>
 
 #include <cmath>
@@ -63,6 +64,21 @@ inline void check_positive(const po::variables_map& given, const std::string& op
     message << "--" << option << ": " << value << " must be a finite number greater than 0";
     throw Usage_error(message.str());
   }
+}
+
+// Adds the option --sweeps, and checks it afterwards.
+inline void add_sweeps(po::options_description& options, boost::optional<unsigned int>& number)
+{
+  options.add_options()
+    ("sweeps", po::value<boost::optional<unsigned int>>(&number)->value_name("N"),
+     "largest number of sweeps that improve the triangles: two smooth, further ones polish (2, and 5 for patches of 2000 "
+     "vertices or more where the second still moves a fifth of them)");
+}
+
+inline void check_sweeps(const boost::optional<unsigned int>& number)
+{
+  if(number && *number > 1000) // also what a negative number is read as
+    throw Usage_error("--sweeps: the number must be at least 0 and at most 1000");
 }
 
 } // namespace mesh_patch

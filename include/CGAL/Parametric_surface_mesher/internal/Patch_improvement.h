@@ -4,6 +4,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_IMPROVEMENT_H
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/internal/Patch_polishing.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_repair.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_smoothing.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
@@ -17,21 +18,28 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The improvement of a refined patch, as long as there is time: sweeps over all vertices, then the worst triangles.
+// The improvement of a patch, as long as there is time: first, before it is refined for the sake of deviation, it is smoothed,
+// then polished, and last the worst triangles are repaired.
 template <class Evaluator, class Refinement>
 class Patch_improvement
 {
   typedef Patch_triangulation_2<typename Evaluator::Kernel> Triangulation;
+  typedef typename Refinement::Is_bad Is_bad;
 
-  typedef Patch_smoothing<Evaluator> Smoothing;
+  static constexpr unsigned int number_of_smoothing_sweeps = 2;
+  static constexpr double least_share_of_moves = 0.01; // of the vertices, for which another sweep is made
 
-  static constexpr unsigned int number_of_thrifty_sweeps = 2;
-  static constexpr double smallest_share_of_moves = 0.01; // of the vertices, for which another sweep is made
+  // Polishing costs as much as all else, and gains most where smoothing has not settled. A model of many small patches is
+  // meshed faster without, if it is not asked for.
+  static constexpr unsigned int default_number_of_polishing_sweeps = 3;
+  static constexpr double least_share_of_moves_to_polish = 0.2;
+  static constexpr std::size_t least_number_of_vertices_to_polish = 2000;
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   const Parametric_surface_mesh_criteria& m_criteria;
   const double& m_seconds_before; // spent on the patch so far
+  double m_share_of_moves = 0;    // in the last sweep
 
 public:
   Patch_improvement(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria,
@@ -39,33 +47,52 @@ public:
     : m_triangulation(triangulation), m_evaluate(evaluate), m_criteria(criteria), m_seconds_before(seconds_before)
   {}
 
-  bool has_sweeps() const { return m_criteria.max_number_of_sweeps() > 0; }
+  bool has_smoothing() const { return max_number_of_sweeps() > 0; }
 
   void smooth()
   {
-    const auto has_time = clock();
-    Smoothing sweep(m_triangulation, m_evaluate, m_criteria);
-    const unsigned int n = m_criteria.max_number_of_sweeps();
-    repeat(sweep, (std::min)(n, number_of_thrifty_sweeps), has_time);
-    if(n > number_of_thrifty_sweeps && has_time()) {
-      sweep.be_thorough();
-      repeat(sweep, n - number_of_thrifty_sweeps, has_time);
-    }
+    repeat(Patch_smoothing<Evaluator>(m_triangulation, m_evaluate, m_criteria),
+           (std::min)(max_number_of_sweeps(), number_of_smoothing_sweeps));
   }
 
-  void repair(const typename Refinement::Is_bad& is_bad)
+  // \pre the patch is smoothed
+  bool has_polishing() const { return number_of_polishing_sweeps() > 0; }
+
+  // \pre the patch is refined
+  void polish(const Is_bad& is_bad)
   {
-    Patch_repair<Evaluator, typename Refinement::Is_bad> repair(m_triangulation, m_evaluate, is_bad, m_criteria);
+    repeat(Patch_polishing<Evaluator, Is_bad>(m_triangulation, m_evaluate, is_bad, m_criteria), number_of_polishing_sweeps());
+  }
+
+  void repair(const Is_bad& is_bad)
+  {
+    Patch_repair<Evaluator, Is_bad> repair(m_triangulation, m_evaluate, is_bad, m_criteria);
     repair(clock());
   }
 
 private:
-  template <class HasTime>
-  void repeat(Smoothing& sweep, unsigned int number_of_sweeps, const HasTime& has_time) const
+  unsigned int max_number_of_sweeps() const
   {
-    for(unsigned int i = 0; i < number_of_sweeps && has_time(); ++i)
-      if(sweep() < smallest_share_of_moves * double(m_triangulation.number_of_vertices()))
-        return;
+    return m_criteria.max_number_of_sweeps().value_or(number_of_smoothing_sweeps);
+  }
+
+  unsigned int number_of_polishing_sweeps() const
+  {
+    if(!m_criteria.max_number_of_sweeps())
+      return m_share_of_moves > least_share_of_moves_to_polish
+                 && m_triangulation.number_of_vertices() >= least_number_of_vertices_to_polish
+               ? default_number_of_polishing_sweeps
+               : 0;
+    return max_number_of_sweeps() - (std::min)(max_number_of_sweeps(), number_of_smoothing_sweeps);
+  }
+
+  template <class Sweep>
+  void repeat(Sweep&& sweep, unsigned int number_of_sweeps)
+  {
+    const auto has_time = clock();
+    m_share_of_moves = 1;
+    for(unsigned int i = 0; i < number_of_sweeps && m_share_of_moves >= least_share_of_moves && has_time(); ++i)
+      m_share_of_moves = double(sweep()) / double(m_triangulation.number_of_vertices());
   }
 
   // tells whether there is time left; without a limit it does not ask the clock again

@@ -10,6 +10,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/Failure_count.h>
 #include <CGAL/Parametric_surface_mesher/internal/Kept_states.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/Star_trial.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_removal.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
 #include <CGAL/number_utils.h>
@@ -47,6 +48,7 @@ class Patch_repair
   typedef typename Triangulation::Point Point;
   typedef typename Kernel::Point_2 Point_2;
   typedef Vertex_star<Triangulation, typename Evaluator::Oracle::Metric_field> Star;
+  typedef internal::Failure_count<Evaluator, IsBad> Failure_count;
 
   // where a vertex might go, and the smallest angle that this would give, as far as the surface can be told from the vertex
   struct Candidate
@@ -70,7 +72,8 @@ class Patch_repair
   Star m_star;
   Kept_states<Face_handle> m_states;
   Face_turning<Evaluator> m_turn_over;
-  const Failure_count<Evaluator, IsBad> m_number_of_failures;
+  const Failure_count m_number_of_failures;
+  Star_trial<Star, Failure_count> m_trial;
   std::deque<Face_handle> m_queue;
   std::unordered_set<Face_handle> m_removed; // faces
   std::vector<Point_2> m_apices;
@@ -86,8 +89,13 @@ public:
       m_is_full(triangulation.number_of_vertices() >= criteria.max_number_of_vertices()),
       m_star(triangulation, evaluate.oracle().metric()),
       m_turn_over(triangulation, evaluate, m_squared_min_edge),
-      m_number_of_failures(is_bad, m_turn_over, m_squared_sine_of_criterion)
+      m_number_of_failures(is_bad, m_turn_over, m_squared_sine_of_criterion),
+      m_trial(m_star, m_number_of_failures)
   {}
+
+  // it refers to itself
+  Patch_repair(const Patch_repair&) = delete;
+  Patch_repair& operator=(const Patch_repair&) = delete;
 
   // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more
   // than can be, bad faces are many and improvement would take longer than refinement: some are left as they are. A face
@@ -246,30 +254,20 @@ private:
     const Point old_point = vertex->point();
     const double old_sine = m_star.squared_smallest_sine(old_point), least = m_least_gain * old_sine;
     collect_candidates(vertex, least, shares);
-    std::size_t failures = 0;
-    bool is_tried = false;
+    m_trial.begin(old_sine);
     for(const Candidate& candidate : m_candidates) {
       if(!m_star.is_around(candidate.position))
         continue;
       const Point point = m_evaluate.position(candidate.position, vertex->spacing()).point;
       if(!(m_star.squared_smallest_sine(point, least) > least) || !m_star.is_far_enough(point, old_point, m_squared_min_edge))
         continue;
-      if(!is_tried) {
-        failures = m_number_of_failures(m_star.faces(), old_sine);
-        m_states.keep(m_star.faces());
-        is_tried = true;
-      }
-      m_star.try_at(point);
-      if(m_number_of_failures(m_star.faces(), old_sine, failures) <= failures) {
+      if(m_trial.move_to(point)) {
         m_star.unsettle_ring();
         add_around(m_star.faces());
         return true;
       }
     }
-    if(is_tried) {
-      m_star.try_at(old_point);
-      m_states.give_back();
-    }
+    m_trial.give_up();
     return false;
   }
 

@@ -4,10 +4,11 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PATCH_SMOOTHING_H
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/internal/Better_place.h>
 #include <CGAL/Parametric_surface_mesher/internal/Edge_flip.h>
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Star_limits.h>
+#include <CGAL/Parametric_surface_mesher/internal/Triangle_quality.h>
 #include <CGAL/Parametric_surface_mesher/internal/Valence_equalization.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
@@ -25,8 +26,7 @@ namespace internal {
 Sweeps over the inner vertices of a patch: each is moved to the mean of the places where the triangles around it would be
 equilateral, if that makes them better, and edges between two triangles with opposite angles of more than 180 degrees in
 space are flipped, as are those that keep valences from being six. Where triangles are left that insertion could not make
-good, valences are not what is wrong: their edges are not flipped, and all moves are made that gain anything.
-Sweeps are thrifty until they are asked to be thorough: then hardly a vertex stays because its move would gain little.
+good, valences are not what is wrong: their edges are not flipped, and shorter moves are made, too.
 */
 template <class Evaluator>
 class Patch_smoothing
@@ -39,39 +39,30 @@ class Patch_smoothing
   typedef typename Kernel::Point_2 Point_2;
   typedef typename Evaluator::Oracle::Metric_field Metric_field;
 
-  // what is not worth its time
-  struct Thrift
-  {
-    double quality_of_perfect_star;
-    double shortest_move;      // by the spacing
-    double shortest_felt_move; // in a good star: from there on the vertices around are looked at again
-  };
+  typedef Vertex_star<Triangulation, Metric_field> Star;
 
-  static constexpr Thrift thrifty = {0.998, 0.03, 0.08}, thrifty_if_blocked = {0.998, 0.02, 0}, thorough = {0.9999, 0.01, 0};
+  // What is not worth its time. Lengths are shares of the spacing.
+  static constexpr double quality_of_perfect_star = 0.998, shortest_move = 0.03, shortest_move_if_blocked = 0.02;
+  static constexpr double shortest_felt_move = 0.08; // in a good star: from there on vertices around are looked at again
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
-  const Star_limits m_limits;
   const bool m_is_blocked;
-  Thrift m_thrift;
-  Vertex_star<Triangulation, Metric_field> m_star;
+  Star m_star;
+  Better_place<Evaluator, Star> m_better_place;
   Valence_equalization<Evaluator> m_equalize_valences;
   std::vector<Vertex_handle> m_crowded; // by more than six neighbours
 
 public:
   Patch_smoothing(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria)
-    : m_triangulation(triangulation), m_evaluate(evaluate), m_limits(criteria), m_is_blocked(has_blocked_face(triangulation)),
-      m_thrift(m_is_blocked ? thrifty_if_blocked : thrifty), m_star(triangulation, evaluate.oracle().metric()),
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_is_blocked(has_blocked_face(triangulation)),
+      m_star(triangulation, evaluate.oracle().metric()), m_better_place(evaluate, m_star, criteria),
       m_equalize_valences(triangulation, evaluate, criteria)
   {}
 
-  // from the next sweep on; all vertices are looked at again
-  void be_thorough()
-  {
-    m_thrift = thorough;
-    for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
-      vertex->set_settled(false);
-  }
+  // it refers to itself
+  Patch_smoothing(const Patch_smoothing&) = delete;
+  Patch_smoothing& operator=(const Patch_smoothing&) = delete;
 
   // one sweep; returns the number of vertices that have moved
   std::size_t operator()()
@@ -111,17 +102,15 @@ private:
   bool move_if_better(Vertex_handle vertex)
   {
     const Star_quality before = m_star.quality();
-    if(before.mean_ratio > m_thrift.quality_of_perfect_star)
+    if(before.mean > quality_of_perfect_star)
       return false;
     const Point_2 target = m_star.mean_of_apices();
-    if(is_near(vertex->point(), target, m_thrift.shortest_move * vertex->spacing()) || !m_star.is_around(target))
+    const double shortest = m_is_blocked ? shortest_move_if_blocked : shortest_move;
+    if(is_near(vertex->point(), target, shortest * vertex->spacing()) || !m_better_place.is_found_at(target, before))
       return false;
-    const Point point = m_evaluate.position(target, vertex->spacing()).point;
-    const Star_shape after = m_star.shape(point);
-    if(!after.quality.is_better_than(before) || !m_limits.allow(after, [&] { return m_star.shape(vertex->point()); })
-       || m_star.is_inverted(point, m_evaluate.oracle()))
-      return false;
-    const bool is_felt = !before.is_good() || !is_near(point, vertex->point(), m_thrift.shortest_felt_move * vertex->spacing());
+    const Point& point = m_better_place.point();
+    const bool is_felt = m_is_blocked || !before.is_good()
+                         || !is_near(point, vertex->point(), shortest_felt_move * vertex->spacing());
     m_star.try_at(point);
     if(is_felt)
       unsettle_around(vertex);
@@ -154,7 +143,8 @@ private:
   void flip_if_better(Edge_flip<Triangulation> edge)
   {
     const auto& metric = m_evaluate.oracle().metric();
-    if(edge.worst_after(metric, squared_mean_ratio) > edge.worst_before(metric, squared_mean_ratio) && edge.is_valid())
+    const Squared_mean_ratio quality;
+    if(edge.worst_after(metric, quality) > edge.worst_before(metric, quality) && edge.is_valid())
       edge.flip();
   }
 };

@@ -145,7 +145,7 @@ private:
       m_star.collect(vertex);
       const Star_shape shape = m_star.shape(vertex->point());
       result.quality.squared_sine = (std::min)(result.quality.squared_sine, shape.quality.squared_sine);
-      result.quality.mean_ratio += shape.quality.mean_ratio / double(vertices.size());
+      result.quality.mean += shape.quality.mean / double(vertices.size());
       result.squared_size = (std::max)(result.squared_size, shape.squared_size);
       result.squared_length = (std::max)(result.squared_length, shape.squared_length);
       result.squared_distance = (std::min)(result.squared_distance, shape.squared_distance);

@@ -5,6 +5,7 @@
 
 #include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Point_placement.h>
+#include <CGAL/Parametric_surface_mesher/internal/Triangle_quality.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/enum.h>
 
@@ -22,7 +23,7 @@ namespace internal {
 struct Star_quality
 {
   double squared_sine = 1; // of the smallest angle
-  double mean_ratio = 0;   // squared, in the mean
+  double mean = 0;         // of the quality of the triangles
 
   // no angle below 40 degrees
   bool is_good() const { return squared_sine > 0.413; }
@@ -30,7 +31,7 @@ struct Star_quality
   // In a good star the mean counts, else the smallest angle.
   bool is_better_than(const Star_quality& other) const
   {
-    return squared_sine > other.squared_sine || (is_good() && mean_ratio > other.mean_ratio);
+    return other.is_good() ? is_good() && mean > other.mean : squared_sine > other.squared_sine;
   }
 };
 
@@ -43,13 +44,6 @@ struct Star_shape
   double squared_distance = std::numeric_limits<double>::infinity(); // to the nearest vertex of the ring
 };
 
-// 48 area^2 / (sum of the squared lengths)^2: 1 for an equilateral triangle
-inline double squared_mean_ratio(const std::array<double, 3>& squared_lengths)
-{
-  const double sum = squared_lengths[0] + squared_lengths[1] + squared_lengths[2];
-  return 3 * squared_area_16(squared_lengths) / (sum * sum);
-}
-
 // The triangles around an inner vertex, and what they would be if the vertex were elsewhere.
 template <class Triangulation, class MetricField>
 class Vertex_star
@@ -61,7 +55,9 @@ public:
   typedef typename Point::Domain_point_2 Point_2;
 
 private:
-  typedef Point_placement<typename Kernel_traits<Point_2>::Kernel> Placement;
+  typedef typename Kernel_traits<Point_2>::Kernel Kernel;
+  typedef typename Kernel::Vector_2 Vector_2;
+  typedef Point_placement<Kernel> Placement;
 
   const Triangulation& m_triangulation;
   const MetricField& m_metric;
@@ -100,18 +96,21 @@ public:
   }
 
   const std::vector<Face_handle>& faces() const { return m_faces; }
+  const Point& center() const { return m_center->point(); }
+  double spacing() const { return m_center->spacing(); }
 
   // of the star as it is
-  Star_quality quality()
+  template <class TriangleQuality = Squared_mean_ratio>
+  Star_quality quality(const TriangleQuality& triangle_quality = TriangleQuality())
   {
     Star_quality result;
     m_triangles.clear();
-    for_each_triangle(m_center->point(), [&](std::size_t, const std::array<double, 3>& lengths) {
+    for_each_triangle(center(), [&](std::size_t, const std::array<double, 3>& lengths) {
       m_triangles.push_back(lengths);
       result.squared_sine = (std::min)(result.squared_sine, internal::squared_smallest_sine(lengths));
-      result.mean_ratio += squared_mean_ratio(lengths);
+      result.mean += triangle_quality(lengths);
     });
-    result.mean_ratio /= double(m_ring.size());
+    result.mean /= double(m_ring.size());
     return result;
   }
 
@@ -139,18 +138,19 @@ public:
     return result;
   }
 
-  Star_shape shape(const Point& center) const
+  template <class TriangleQuality = Squared_mean_ratio>
+  Star_shape shape(const Point& center, const TriangleQuality& triangle_quality = TriangleQuality()) const
   {
     Star_shape result;
     for_each_triangle(center, [&](std::size_t k, const std::array<double, 3>& lengths) {
       const double sum_along_edge = m_center->spacing() + ring_vertex(k + 1)->spacing(), sum = sum_along_edge + m_ring[k]->spacing();
       result.quality.squared_sine = (std::min)(result.quality.squared_sine, internal::squared_smallest_sine(lengths));
-      result.quality.mean_ratio += squared_mean_ratio(lengths);
+      result.quality.mean += triangle_quality(lengths);
       result.squared_size = (std::max)(result.squared_size, squared_circumradius(lengths) / (sum * sum));
       result.squared_length = (std::max)(result.squared_length, lengths[1] / (sum_along_edge * sum_along_edge));
       result.squared_distance = (std::min)(result.squared_distance, lengths[1]);
     });
-    result.quality.mean_ratio /= double(m_ring.size());
+    result.quality.mean /= double(m_ring.size());
     return result;
   }
 
@@ -158,7 +158,7 @@ public:
   // \pre `quality()` was asked for
   Point_2 mean_of_apices() const
   {
-    const Point& p = m_center->point();
+    const Point& p = center();
     double x = 0, y = 0;
     for(std::size_t k = 0; k < m_triangles.size(); ++k) {
       const std::array<double, 3>& lengths = m_triangles[k];
@@ -172,6 +172,22 @@ public:
       y += 0.5 * (qy + ry) - ratio_of_heights * (qy + foot * (ry - qy));
     }
     return Point_2(p.x() + x / double(m_ring.size()), p.y() + y / double(m_ring.size()));
+  }
+
+  // The direction in which the mean quality rises most steeply, of length 1 by the tensor of the centre; zero at the top. The
+  // gradient of a squared length |c - q|^2 under the metric is 2 (c - q).
+  // \pre `quality()` was asked for
+  template <class TriangleQuality>
+  Vector_2 direction_of_ascent(const TriangleQuality& triangle_quality) const
+  {
+    const Point_2 p = center().domain_point();
+    Vector_2 result(0, 0);
+    for(std::size_t k = 0; k < m_triangles.size(); ++k) {
+      const std::array<double, 2> slopes = triangle_quality.derivatives(m_triangles[k]);
+      result += slopes[0] * (p - ring_point(k + 1).domain_point()) + slopes[1] * (p - ring_point(k).domain_point());
+    }
+    const double squared_length = center().tensor().squared_length(result.x(), result.y());
+    return squared_length > 0 ? result / std::sqrt(squared_length) : Vector_2(0, 0);
   }
 
   // The apices of equilateral triangles over the edges of the ring by the tensors there, and last their mean.
