@@ -163,8 +163,10 @@ TEST(Make_parametric_surface_mesh, visitor)
   const Sample peak = make_sample("peak");
   Stopping_visitor visitor(100000000);
   Mesh mesh;
-  add_patch(peak.surface, peak.domain, uniform(peak, 10000), mesh, CGAL::parameters::visitor(std::ref(visitor)));
-  EXPECT_EQ((std::vector<std::string>{"division", "triangulation", "refinement", "smoothing", "refinement", "improvement", "output"}),
+  add_patch(peak.surface, peak.domain, uniform(peak, 10000).set_max_number_of_sweeps(3), mesh,
+            CGAL::parameters::visitor(std::ref(visitor)));
+  EXPECT_EQ((std::vector<std::string>{"division", "triangulation", "refinement", "smoothing", "refinement", "polishing",
+                                      "improvement", "output"}),
             visitor.phases);
   EXPECT_GE(visitor.progress_calls, 5u);
   EXPECT_LE(visitor.vertices, mesh.number_of_vertices());

@@ -80,7 +80,7 @@ TEST_F(Mesh_cad_program, helps)
   const Result result = run("--help");
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err, "");
-  for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--distance", "--relative-distance", "--angle", "--closeness", "--growth", "--threads",
+  for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--distance", "--relative-distance", "--angle", "--closeness", "--growth", "--sweeps", "--threads",
                             "--face-size", "--edge-size", "--sphere-size", "--sew", "--faces", "--unit", "--heal", "--out", "--picture", "--json", "--quiet",
                             ".vtu", ".msh", ".inp", ".step", ".iges", ".brep", "Exit status"})
     EXPECT_NE(result.out.find(option), std::string::npos) << option;

@@ -53,7 +53,7 @@ TEST_P(Placement_invariants, sums_of_waves)
   unsigned int number_of_sweeps = 0;
   check_patches(11, 40, nearly_nothing, [&](Random_patch_generator& generator) {
     Random_patch patch = generator.graph<Wave>();
-    patch.criteria.set_placement(GetParam()).set_max_number_of_sweeps(number_of_sweeps++ % 4);
+    patch.criteria.set_placement(GetParam()).set_max_number_of_sweeps(number_of_sweeps++ % 5);
     patch.criteria.set_improvement_angle(number_of_sweeps % 2 == 0 ? 0 : 40);
     return patch;
   });

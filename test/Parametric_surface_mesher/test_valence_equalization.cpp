@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Edges that keep valences from being six are flipped where that makes triangles better, and nothing is changed elsewhere.
-#include <CGAL/First_fundamental_form_metric_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Edge_flip.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Valence_equalization.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <Sample_surfaces.h>
 #include <mesher_test_helpers.h>
+#include <plane_patch.h>
 
 #include <gtest/gtest.h>
 
@@ -25,47 +22,10 @@ namespace {
 
 namespace internal = CGAL::Parametric_surface_mesher::internal;
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Plane_kernel;
-typedef internal::Patch_triangulation_2<Plane_kernel> Triangulation;
+typedef Plane_triangulation Triangulation;
 typedef Triangulation::Face_handle Face_handle;
 typedef Triangulation::Vertex_handle Vertex_handle;
 typedef std::set<std::pair<Point_2, Point_2>> Edges;
-
-Triangulation::Point at(const Plane_kernel::Point_2& p)
-{
-  return Triangulation::Point(p, Plane_kernel::Point_3(p.x(), p.y(), 0), CGAL::Metric_tensor_2(1, 0, 1));
-}
-
-struct Plane_oracle
-{
-  typedef CGAL::First_fundamental_form_metric_2<Plane_kernel> Metric_field;
-
-  Metric_field field;
-
-  const Metric_field& metric() const { return field; }
-
-  template <class Point>
-  bool is_inverted(const Point&, const Point&, const Point&) const
-  {
-    return false;
-  }
-};
-
-struct Plane_evaluator
-{
-  typedef Plane_kernel Kernel;
-  typedef Plane_oracle Oracle;
-
-  struct Position
-  {
-    Triangulation::Point point;
-  };
-
-  Plane_oracle plane;
-
-  const Oracle& oracle() const { return plane; }
-  Position position(const Plane_kernel::Point_2& p, double) const { return {at(p)}; }
-};
 
 // A parallelogram of triangles in rows of this height, with edges of length 1 along the rows.
 class Lattice

@@ -9,8 +9,8 @@ Shows the progress of meshing, and can stop it.
 class ParametricSurfaceMeshVisitor
 {
 public:
-  /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"smoothing"`, `"improvement"`,
-  /// `"output"`. With smoothing there is refinement before and after it. For a model of several patches, the phases from
+  /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"smoothing"`, `"polishing"`,
+  /// `"improvement"`, `"output"`. With smoothing there is refinement before and after it. For a model of several patches, the phases from
   /// triangulation to improvement alternate, patch by patch.
   void on_phase(const char* name);
 
