@@ -241,7 +241,8 @@ TEST(Parallel, visitor_is_called_by_one_thread_at_a_time)
   const auto model = teapot();
   Counting_visitor visitor;
   Mesh mesh;
-  CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(model, Criteria().set_max_edge(0.1), mesh,
+  const Criteria criteria = Criteria().set_max_edge(0.1).set_max_number_of_sweeps(2); // the same phases for all faces
+  CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(model, criteria, mesh,
                                                          CGAL::parameters::visitor(std::ref(visitor)));
   EXPECT_EQ(2 + 5 * model.faces().size(), visitor.number_of_phases);
   EXPECT_GT(visitor.number_of_questions, 0u);
@@ -250,7 +251,7 @@ TEST(Parallel, visitor_is_called_by_one_thread_at_a_time)
   stopping.last_question = 3;
   Mesh coarse;
   const Report report = CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(
-    model, Criteria().set_max_edge(0.1), coarse, CGAL::parameters::visitor(std::ref(stopping)));
+    model, criteria, coarse, CGAL::parameters::visitor(std::ref(stopping)));
   EXPECT_GT(report.count(CGAL::Unmet_cause::STOPPED), 0u);
   EXPECT_LT(coarse.number_of_faces(), mesh.number_of_faces());
   EXPECT_TRUE(coarse.is_valid());
