@@ -165,8 +165,8 @@ TEST(Make_parametric_surface_mesh, visitor)
   Mesh mesh;
   add_patch(peak.surface, peak.domain, uniform(peak, 10000).set_max_number_of_sweeps(3), mesh,
             CGAL::parameters::visitor(std::ref(visitor)));
-  EXPECT_EQ((std::vector<std::string>{"division", "triangulation", "refinement", "smoothing", "refinement", "polishing",
-                                      "improvement", "output"}),
+  EXPECT_EQ((std::vector<std::string>{"division", "triangulation", "refinement", "smoothing", "refinement", "improvement",
+                                      "polishing", "output"}),
             visitor.phases);
   EXPECT_GE(visitor.progress_calls, 5u);
   EXPECT_LE(visitor.vertices, mesh.number_of_vertices());

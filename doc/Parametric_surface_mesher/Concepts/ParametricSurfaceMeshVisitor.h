@@ -9,9 +9,9 @@ Shows the progress of meshing, and can stop it.
 class ParametricSurfaceMeshVisitor
 {
 public:
-  /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"smoothing"`, `"polishing"`,
-  /// `"improvement"`, `"output"`. With smoothing there is refinement before and after it. For a model of several patches, the phases from
-  /// triangulation to improvement alternate, patch by patch.
+  /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"smoothing"`, `"improvement"`,
+  /// `"polishing"`, `"output"`. With smoothing there is refinement before and after it. For a model of several patches, the phases from
+  /// triangulation to polishing alternate, patch by patch.
   void on_phase(const char* name);
 
   /// called during refinement, once for some hundred new vertices.

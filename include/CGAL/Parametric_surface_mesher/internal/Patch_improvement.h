@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The improvement of a patch, as long as there is time: first, before it is refined for the sake of deviation, it is smoothed,
-// then polished, and last the worst triangles are repaired.
+// The improvement of a patch, as long as there is time: before it is refined for the sake of deviation it is smoothed, then the
+// worst triangles are repaired, and last it is polished, if that pays.
 template <class Evaluator, class Refinement>
 class Patch_improvement
 {
@@ -55,19 +55,22 @@ public:
            (std::min)(max_number_of_sweeps(), number_of_smoothing_sweeps));
   }
 
-  // \pre the patch is smoothed
-  bool has_polishing() const { return number_of_polishing_sweeps() > 0; }
-
   // \pre the patch is refined
-  void polish(const Is_bad& is_bad)
-  {
-    repeat(Patch_polishing<Evaluator, Is_bad>(m_triangulation, m_evaluate, is_bad, m_criteria), number_of_polishing_sweeps());
-  }
-
   void repair(const Is_bad& is_bad)
   {
     Patch_repair<Evaluator, Is_bad> repair(m_triangulation, m_evaluate, is_bad, m_criteria);
     repair(clock());
+  }
+
+  // \pre the patch is smoothed
+  bool has_polishing() const { return number_of_polishing_sweeps() > 0; }
+
+  // Neither makes the smallest angle smaller; after one there may be more for the other.
+  // \pre the patch is repaired
+  void polish(const Is_bad& is_bad)
+  {
+    repeat(Patch_polishing<Evaluator, Is_bad>(m_triangulation, m_evaluate, is_bad, m_criteria), number_of_polishing_sweeps());
+    repair(is_bad);
   }
 
 private:

@@ -106,11 +106,12 @@ public:
     if(improve.has_smoothing() && !m_refine.is_stopped())
       in_phase("smoothing", m_report.seconds.improvement, [&] { improve.smooth(); });
     in_phase("refinement", m_report.seconds.refinement, [&] { m_refine(); });
-    if(improve.has_polishing() && !m_refine.is_stopped())
-      in_phase("polishing", m_report.seconds.improvement, [&] { improve.polish(m_refine.is_bad()); });
     m_report.number_of_replaced_tensors += m_refine.number_of_replaced_tensors();
-    if(!m_refine.is_stopped())
-      in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_refine.is_bad()); });
+    if(m_refine.is_stopped())
+      return;
+    in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_refine.is_bad()); });
+    if(improve.has_polishing())
+      in_phase("polishing", m_report.seconds.improvement, [&] { improve.polish(m_refine.is_bad()); });
   }
 
   Triangulation& triangulation() { return m_triangulation; }

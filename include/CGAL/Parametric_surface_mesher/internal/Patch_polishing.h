@@ -23,8 +23,9 @@ namespace internal {
 
 /*
 Sweeps over the inner vertices of a patch that is refined: each climbs the slope of a quality that counts mean ratios and
-smallest angles, in small steps that make no more triangles fail a criterion. Where an angle is below 40 degrees, the mean of
-the places where the triangles around would be equilateral is tried first. No edge is flipped.
+smallest angles, in small steps that make no more triangles fail a criterion, and no smallest angle below 40 degrees smaller
+than it was. Where there is such an angle, the mean of the places where the triangles around would be equilateral is tried
+first. No edge is flipped.
 */
 template <class Evaluator, class IsBad>
 class Patch_polishing
