@@ -8,7 +8,9 @@
 
 #include <Sample_surfaces.h>
 #include <mesher_test_helpers.h>
+#include <random_patches.h>
 
+#include <algorithm>
 #include <string>
 
 namespace {
@@ -112,6 +114,29 @@ TEST(Improvement, polishing)
     EXPECT_GT(twelve.min_angle, 38) << name;
     EXPECT_EQ(two.number_of_faces, twelve.number_of_faces) << name;
   }
+}
+
+// Whatever the boundary: the smallest angle is no smaller, where it is below 40 degrees, and no more criteria are missed.
+TEST(Improvement, polishing_makes_nothing_worse)
+{
+  Random_patch_generator generator(31);
+  double gain = 0;
+  for(int i = 0; i < 25; ++i) {
+    SCOPED_TRACE("patch " + std::to_string(i));
+    const Random_patch patch = i % 2 == 0 ? generator.rough_graph<Bump>() : generator.graph<Wave>();
+    CGAL::Triangle_mesh_quality qualities[2];
+    std::size_t unmet[2];
+    for(unsigned int k : {0u, 1u}) {
+      Mesh mesh;
+      Criteria criteria = patch.criteria;
+      unmet[k] = add_patch(patch.surface, patch.domain, criteria.set_max_number_of_sweeps(2 + 4 * k), mesh).unmet.size();
+      qualities[k] = CGAL::triangle_mesh_quality(mesh);
+    }
+    EXPECT_GE(qualities[1].min_angle, (std::min)(40 - 1e-9, qualities[0].min_angle - 1e-9));
+    EXPECT_LE(unmet[1], unmet[0]);
+    gain += qualities[1].mean_min_angle - qualities[0].mean_min_angle;
+  }
+  EXPECT_GT(gain, 25 * 0.3);
 }
 
 // By default it is for large patches that smoothing has not settled.
