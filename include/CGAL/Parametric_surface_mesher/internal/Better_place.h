@@ -5,6 +5,7 @@
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/Star_limits.h>
+#include <CGAL/Parametric_surface_mesher/internal/Triangle_quality.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
 
 namespace CGAL {
