@@ -292,13 +292,10 @@ public:
 
   public:
     Is_bad(const Parametric_surface_mesh_criteria& criteria, const Oracle& oracle)
-      : m_oracle(oracle), m_limits{criteria.gamma(), criteria.distance() * criteria.distance(),
-                                   4 * criteria.min_edge() * criteria.min_edge()}
-    {
-      const double sine = std::sin(criteria.angle() * std::atan(1.) / 45);
-      m_squared_sine = sine * sine;
-      m_squared_size_factor = criteria.size_factor() * criteria.size_factor();
-    }
+      : m_oracle(oracle), m_squared_sine(Parametric_surface_mesher::internal::squared_sine_of_degrees(criteria.angle())),
+        m_squared_size_factor(criteria.size_factor() * criteria.size_factor()),
+        m_limits{criteria.gamma(), criteria.distance() * criteria.distance(), 4 * criteria.min_edge() * criteria.min_edge()}
+    {}
 
     /// the patch.
     const Oracle& oracle() const { return m_oracle; }

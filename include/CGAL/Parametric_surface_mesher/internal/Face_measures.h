@@ -42,6 +42,12 @@ inline double squared_smallest_sine(const std::array<double, 3>& l)
   return area > 0 ? (std::min)(l[0], (std::min)(l[1], l[2])) * area / (4 * (l[0] * l[1] * l[2])) : 0;
 }
 
+inline double squared_sine_of_degrees(double angle)
+{
+  const double sine = std::sin(angle * std::atan(1.) / 45);
+  return sine * sine;
+}
+
 inline Face_measures face_measures(const std::array<double, 3>& l)
 {
   const double product = l[0] * l[1] * l[2];
@@ -63,6 +69,13 @@ template <class Face_handle, class MetricField>
 Face_measures face_measures(Face_handle f, const MetricField& metric)
 {
   return face_measures(squared_lengths(f, metric));
+}
+
+// Whether a face is on the wrong side, see the oracle.
+template <class Face_handle, class Oracle>
+bool is_inverted(Face_handle f, const Oracle& oracle)
+{
+  return oracle.is_inverted(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
 }
 
 // How far the surface may be from a triangle.

@@ -45,10 +45,7 @@ public:
       m_star(triangulation, evaluate.oracle().metric())
   {}
 
-  bool is_inverted(Face_handle face) const
-  {
-    return m_evaluate.oracle().is_inverted(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point());
-  }
+  bool is_inverted(Face_handle face) const { return internal::is_inverted(face, m_evaluate.oracle()); }
 
   // Returns the faces that have changed, so that fewer of them than before are on the wrong side; none if there is no way.
   const std::vector<Face_handle>& operator()(Face_handle face)

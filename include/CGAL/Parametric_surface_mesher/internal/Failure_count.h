@@ -4,7 +4,8 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_FAILURE_COUNT_H
 
 #include <CGAL/Mesh_2/Face_badness.h>
-#include <CGAL/Parametric_surface_mesher/internal/Face_turning.h>
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 
 #include <cstddef>
@@ -20,13 +21,13 @@ class Failure_count
   static constexpr double share_of_far_below = 0.6; // of the squared sine of the criterion: 23 degrees, for one of 30
   static constexpr double share_of_needles = 0.47;  // 20 degrees
 
+  const Evaluator& m_evaluate;
   const IsBad& m_is_bad;
-  const Face_turning<Evaluator>& m_turn_over;
   double m_squared_sine_of_criterion;
 
 public:
-  Failure_count(const IsBad& is_bad, const Face_turning<Evaluator>& turn_over, double squared_sine_of_criterion)
-    : m_is_bad(is_bad), m_turn_over(turn_over), m_squared_sine_of_criterion(squared_sine_of_criterion)
+  Failure_count(const Evaluator& evaluate, const IsBad& is_bad, const Parametric_surface_mesh_criteria& criteria)
+    : m_evaluate(evaluate), m_is_bad(is_bad), m_squared_sine_of_criterion(squared_sine_of_degrees(criteria.angle()))
   {}
 
   bool is_needle(double squared_sine) const { return squared_sine < share_of_needles * m_squared_sine_of_criterion; }
@@ -72,7 +73,7 @@ private:
       return Mesh_2::NOT_BAD;
     typename IsBad::Quality quality;
     const Mesh_2::Face_badness found = m_is_bad(face, quality);
-    return found == Mesh_2::BAD && m_turn_over.is_inverted(face) ? Mesh_2::IMPERATIVELY_BAD : found;
+    return found == Mesh_2::BAD && is_inverted(face, m_evaluate.oracle()) ? Mesh_2::IMPERATIVELY_BAD : found;
   }
 
   template <class Face_handle>

@@ -39,7 +39,7 @@ class Patch_improvement
   const Evaluator& m_evaluate;
   const Parametric_surface_mesh_criteria& m_criteria;
   const double& m_seconds_before; // spent on the patch so far
-  double m_share_of_moves = 0;    // in the last sweep
+  double m_share_of_moves = 0;    // of the vertices, in the last sweep; 0 if there was none
 
 public:
   Patch_improvement(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria,
@@ -81,21 +81,22 @@ private:
 
   unsigned int number_of_polishing_sweeps() const
   {
-    if(!m_criteria.max_number_of_sweeps())
-      return m_share_of_moves > least_share_of_moves_to_polish
-                 && m_triangulation.number_of_vertices() >= least_number_of_vertices_to_polish
-               ? default_number_of_polishing_sweeps
-               : 0;
-    return max_number_of_sweeps() - (std::min)(max_number_of_sweeps(), number_of_smoothing_sweeps);
+    if(m_criteria.max_number_of_sweeps())
+      return max_number_of_sweeps() - (std::min)(max_number_of_sweeps(), number_of_smoothing_sweeps);
+    const bool pays = m_share_of_moves >= least_share_of_moves_to_polish
+                      && m_triangulation.number_of_vertices() >= least_number_of_vertices_to_polish;
+    return pays ? default_number_of_polishing_sweeps : 0;
   }
 
   template <class Sweep>
   void repeat(Sweep&& sweep, unsigned int number_of_sweeps)
   {
     const auto has_time = clock();
-    m_share_of_moves = 1;
-    for(unsigned int i = 0; i < number_of_sweeps && m_share_of_moves >= least_share_of_moves && has_time(); ++i)
+    for(unsigned int i = 0; i < number_of_sweeps && has_time(); ++i) {
       m_share_of_moves = double(sweep()) / double(m_triangulation.number_of_vertices());
+      if(m_share_of_moves < least_share_of_moves)
+        return;
+    }
   }
 
   // tells whether there is time left; without a limit it does not ask the clock again

@@ -5,16 +5,13 @@
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/Better_place.h>
-#include <CGAL/Parametric_surface_mesher/internal/Face_turning.h>
 #include <CGAL/Parametric_surface_mesher/internal/Failure_count.h>
 #include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/Star_trial.h>
 #include <CGAL/Parametric_surface_mesher/internal/Triangle_quality.h>
 #include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
 #include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
-#include <CGAL/number_utils.h>
 
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -43,7 +40,6 @@ class Patch_polishing
   Triangulation& m_triangulation;
   Star m_star;
   Better_place<Evaluator, Star> m_better_place;
-  const Face_turning<Evaluator> m_turn_over;
   const Failure_count m_number_of_failures;
   Star_trial<Star, Failure_count> m_trial;
 
@@ -53,8 +49,7 @@ public:
   Patch_polishing(Triangulation& triangulation, const Evaluator& evaluate, const IsBad& is_bad,
                   const Parametric_surface_mesh_criteria& criteria)
     : m_triangulation(triangulation), m_star(triangulation, evaluate.oracle().metric()),
-      m_better_place(evaluate, m_star, criteria), m_turn_over(triangulation, evaluate, square(criteria.min_edge())),
-      m_number_of_failures(is_bad, m_turn_over, square(std::sin(criteria.angle() * std::atan(1.) / 45))),
+      m_better_place(evaluate, m_star, criteria), m_number_of_failures(evaluate, is_bad, criteria),
       m_trial(m_star, m_number_of_failures)
   {
     for(Vertex_handle vertex : triangulation.finite_vertex_handles())

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <initializer_list>
@@ -83,13 +82,13 @@ public:
   Patch_repair(Triangulation& triangulation, const Evaluator& evaluate, const IsBad& is_bad,
                const Parametric_surface_mesh_criteria& criteria)
     : m_triangulation(triangulation), m_evaluate(evaluate),
-      m_squared_sine(square(std::sin(criteria.improvement_angle() * std::atan(1.) / 45))),
-      m_squared_sine_of_criterion(square(std::sin(criteria.angle() * std::atan(1.) / 45))),
+      m_squared_sine(squared_sine_of_degrees(criteria.improvement_angle())),
+      m_squared_sine_of_criterion(squared_sine_of_degrees(criteria.angle())),
       m_squared_min_edge(square(criteria.min_edge())),
       m_is_full(triangulation.number_of_vertices() >= criteria.max_number_of_vertices()),
       m_star(triangulation, evaluate.oracle().metric()),
       m_turn_over(triangulation, evaluate, m_squared_min_edge),
-      m_number_of_failures(is_bad, m_turn_over, m_squared_sine_of_criterion),
+      m_number_of_failures(evaluate, is_bad, criteria),
       m_trial(m_star, m_number_of_failures)
   {}
 
