@@ -10,8 +10,8 @@ class ParametricSurfaceMeshVisitor
 {
 public:
   /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"smoothing"`, `"improvement"`,
-  /// `"polishing"`, `"output"`. With smoothing there is refinement before and after it. For a model of several patches, the phases from
-  /// triangulation to polishing alternate, patch by patch.
+  /// `"polishing"`, `"output"`. With smoothing there is refinement before and after it; only some patches are polished. For a
+  /// model of several patches, the phases from triangulation to polishing alternate, patch by patch.
   void on_phase(const char* name);
 
   /// called during refinement, once for some hundred new vertices.
