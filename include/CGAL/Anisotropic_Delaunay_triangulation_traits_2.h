@@ -4,7 +4,7 @@
 #define CGAL_ANISOTROPIC_DELAUNAY_TRIANGULATION_TRAITS_2_H
 
 #include <CGAL/Parametric_point_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/In_ellipse_predicate.h>
+#include <CGAL/Parametric_surface_mesher/internal/predicates/In_ellipse_predicate.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/assertions.h>

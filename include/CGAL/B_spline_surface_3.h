@@ -3,8 +3,8 @@
 #ifndef CGAL_B_SPLINE_SURFACE_3_H
 #define CGAL_B_SPLINE_SURFACE_3_H
 
-#include <CGAL/Parametric_surface_mesher/internal/B_spline_basis.h>
-#include <CGAL/Parametric_surface_mesher/internal/Control_net_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/surfaces/B_spline_basis.h>
+#include <CGAL/Parametric_surface_mesher/internal/surfaces/Control_net_3.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -3,9 +3,9 @@
 #ifndef CGAL_OPEN_CASCADE_MODEL_3_H
 #define CGAL_OPEN_CASCADE_MODEL_3_H
 
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/suspend_handle_macro.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
 #include <CGAL/Parametric_surface_model_3.h>
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/restore_handle_macro.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
 #include <CGAL/Open_cascade_surface_3.h>
 

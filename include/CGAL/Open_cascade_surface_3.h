@@ -3,13 +3,13 @@
 #ifndef CGAL_OPEN_CASCADE_SURFACE_3_H
 #define CGAL_OPEN_CASCADE_SURFACE_3_H
 
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/suspend_handle_macro.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_jet_3.h>
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/restore_handle_macro.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Kernel_guard.h>
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/convert_surface.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_surface.h>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <TopoDS_Face.hxx>

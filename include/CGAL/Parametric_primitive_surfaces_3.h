@@ -5,7 +5,7 @@
 
 #include <CGAL/Parametric_frame_3.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/Parametric_surface_mesher/internal/Surface_of_revolution_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/surfaces/Surface_of_revolution_3.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

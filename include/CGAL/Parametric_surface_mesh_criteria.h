@@ -4,7 +4,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESH_CRITERIA_H
 
 #include <CGAL/Mesh_2/Face_badness.h>
-#include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
 
 #include <CGAL/assertions.h>
 

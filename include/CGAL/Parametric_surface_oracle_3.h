@@ -5,8 +5,8 @@
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/Parametric_surface_mesher/internal/Chord_jet.h>
-#include <CGAL/Parametric_surface_mesher/internal/describe.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/Chord_jet.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <algorithm>

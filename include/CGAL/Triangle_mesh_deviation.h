@@ -4,7 +4,7 @@
 #define CGAL_TRIANGLE_MESH_DEVIATION_H
 
 #include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/Parametric_surface_mesher/internal/has_finite_coordinates.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/has_finite_coordinates.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>

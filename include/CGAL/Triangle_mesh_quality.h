@@ -3,10 +3,10 @@
 #ifndef CGAL_TRIANGLE_MESH_QUALITY_H
 #define CGAL_TRIANGLE_MESH_QUALITY_H
 
-#include <CGAL/Parametric_surface_mesher/internal/Shape_of_triangle.h>
-#include <CGAL/Parametric_surface_mesher/internal/Triangle_soup_connectivity.h>
-#include <CGAL/Parametric_surface_mesher/internal/corners_of_soup.h>
-#include <CGAL/Parametric_surface_mesher/internal/has_finite_coordinates.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Shape_of_triangle.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Triangle_soup_connectivity.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/corners_of_soup.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/has_finite_coordinates.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>

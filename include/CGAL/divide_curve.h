@@ -6,8 +6,8 @@
 #include <CGAL/Domain_curve_2.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/Parametric_surface_mesher/internal/Arc_length.h>
-#include <CGAL/Parametric_surface_mesher/internal/describe.h>
+#include <CGAL/Parametric_surface_mesher/internal/curves/Arc_length.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #define CGAL_MAKE_MODEL_OF_OPEN_CASCADE_SHAPE_H
 
 #include <CGAL/Open_cascade_model_3.h>
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Shape_model_builder.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Shape_model_builder.h>
 
 #include <TopoDS_Shape.hxx>
 

@@ -4,9 +4,9 @@
 #define CGAL_MAKE_MODEL_OF_RECTANGULAR_PATCHES_H
 
 #include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/Parametric_surface_mesher/internal/Equal_arc_curve.h>
-#include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
-#include <CGAL/Parametric_surface_mesher/internal/group_points.h>
+#include <CGAL/Parametric_surface_mesher/internal/curves/Equal_arc_curve.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/curve_box.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/group_points.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/orient_faces.h>
 

@@ -10,12 +10,12 @@
 #include <CGAL/Parametric_surface_mesh_parameters.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesh_visitor.h>
-#include <CGAL/Parametric_surface_mesher/internal/Face_graph_filler.h>
-#include <CGAL/Parametric_surface_mesher/internal/Output_maps.h>
-#include <CGAL/Parametric_surface_mesher/internal/leave_out_bad_faces.h>
-#include <CGAL/Parametric_surface_mesher/internal/mesh_model.h>
-#include <CGAL/Parametric_surface_mesher/internal/model_of_patch.h>
-#include <CGAL/Parametric_surface_mesher/internal/separate_pieces.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/leave_out_bad_faces.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/mesh_model.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/model_of_patch.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Face_graph_filler.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Output_maps.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/separate_pieces.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/validate_parametric_surface_model.h>
 

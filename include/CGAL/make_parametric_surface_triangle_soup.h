@@ -4,8 +4,8 @@
 #define CGAL_MAKE_PARAMETRIC_SURFACE_TRIANGLE_SOUP_H
 
 #include <CGAL/Container_helper.h>
-#include <CGAL/Parametric_surface_mesher/internal/Indexed_mesh.h>
-#include <CGAL/Parametric_surface_mesher/internal/for_each_index.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/for_each_index.h>
 #include <CGAL/make_parametric_surface_mesh.h>
 
 #include <algorithm>

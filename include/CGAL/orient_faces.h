@@ -4,8 +4,8 @@
 #define CGAL_ORIENT_FACES_H
 
 #include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/Parametric_surface_mesher/internal/Model_uses.h>
-#include <CGAL/Parametric_surface_mesher/internal/volume_under_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/volume_under_face.h>
 #include <CGAL/Parametric_surface_model_3.h>
 
 #include <cstddef>

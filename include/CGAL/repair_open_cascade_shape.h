@@ -3,7 +3,7 @@
 #ifndef CGAL_REPAIR_OPEN_CASCADE_SHAPE_H
 #define CGAL_REPAIR_OPEN_CASCADE_SHAPE_H
 
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Kernel_guard.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <ShapeFix_Shape.hxx>

@@ -4,11 +4,11 @@
 #define CGAL_VALIDATE_PARAMETRIC_SURFACE_MODEL_H
 
 #include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/Parametric_surface_mesher/internal/Boundary_size.h>
-#include <CGAL/Parametric_surface_mesher/internal/Model_uses.h>
-#include <CGAL/Parametric_surface_mesher/internal/curve_box.h>
-#include <CGAL/Parametric_surface_mesher/internal/describe.h>
-#include <CGAL/Parametric_surface_mesher/internal/name_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/curve_box.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Parametric_surface_model_3.h>
 
 #include <algorithm>

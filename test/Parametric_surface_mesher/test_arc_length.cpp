@@ -1,7 +1,7 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Parametric_surface_mesher/internal/Arc_length.h>
-#include <CGAL/Parametric_surface_mesher/internal/Legendre_expansion.h>
+#include <CGAL/Parametric_surface_mesher/internal/curves/Arc_length.h>
+#include <CGAL/Parametric_surface_mesher/internal/curves/Legendre_expansion.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>

@@ -3,7 +3,7 @@
 //
 // The order in which bad faces are refined, and the cells of the domain that it follows.
 
-#include <CGAL/Parametric_surface_mesher/internal/Bad_face_queue.h>
+#include <CGAL/Parametric_surface_mesher/internal/refinement/Bad_face_queue.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Simple_cartesian.h>

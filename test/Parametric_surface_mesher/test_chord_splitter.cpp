@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Edges that would be in the mesh twice, in two patches or across a seam.
-#include <CGAL/Parametric_surface_mesher/internal/Chord_splitter.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Chord_splitter.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

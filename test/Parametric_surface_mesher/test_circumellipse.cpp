@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Circumellipse_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Parametric_surface_mesher/internal/In_ellipse_predicate.h>
 #include <CGAL/Parametric_point_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/predicates/In_ellipse_predicate.h>
 
 #include <random_input.h>
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <CGAL/Parametric_point_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Linear_tensor_field_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/Linear_tensor_field_2.h>
 #include <CGAL/Triangle_mesh_quality.h>
 
 #include <Sample_surfaces.h>

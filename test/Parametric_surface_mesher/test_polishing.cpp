@@ -3,9 +3,9 @@
 //
 // Polishing: the qualities that it counts, the way up their slope, and that no more triangles fail a criterion after it.
 #include <CGAL/Mesh_2/Face_badness.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_polishing.h>
-#include <CGAL/Parametric_surface_mesher/internal/Triangle_quality.h>
-#include <CGAL/Parametric_surface_mesher/internal/Vertex_star.h>
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Patch_polishing.h>
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Vertex_star.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Triangle_quality.h>
 
 #include <mesher_test_helpers.h>
 #include <plane_patch.h>

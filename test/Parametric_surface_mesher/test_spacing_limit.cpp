@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <CGAL/First_fundamental_form_metric_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Spacing_limit.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/Spacing_limit.h>
 #include <CGAL/Parametric_surface_oracle_3.h>
 
 #include <mesher_test_helpers.h>

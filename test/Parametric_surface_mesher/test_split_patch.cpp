@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <CGAL/Parametric_surface_mesh_visitor.h>
-#include <CGAL/Parametric_surface_mesher/internal/Loop_inside.h>
+#include <CGAL/Parametric_surface_mesher/internal/partition/Loop_inside.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Triangle_mesh_quality.h>
 #include <CGAL/make_parametric_surface_mesh.h>

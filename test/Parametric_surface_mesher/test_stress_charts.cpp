@@ -4,8 +4,8 @@
 // Stress tests: the coordinates that patches with collapsed sides are meshed in.
 #include <CGAL/First_fundamental_form_metric_2.h>
 #include <CGAL/Parametric_function_surface_3.h>
-#include <CGAL/Parametric_surface_mesher/internal/Charted_surface_3.h>
-#include <CGAL/Parametric_surface_mesher/internal/find_chart.h>
+#include <CGAL/Parametric_surface_mesher/internal/charts/Charted_surface_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/charts/find_chart.h>
 #include <CGAL/Parametric_surface_oracle_3.h>
 
 #include <gtest/gtest.h>

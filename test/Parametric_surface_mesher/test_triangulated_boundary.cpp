@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <CGAL/First_fundamental_form_metric_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Triangulated_boundary.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/Triangulated_boundary.h>
 
 #include <Sample_surfaces.h>
 #include <random_input.h>

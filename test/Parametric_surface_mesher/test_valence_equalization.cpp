@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Edges that keep valences from being six are flipped where that makes triangles better, and nothing is changed elsewhere.
-#include <CGAL/Parametric_surface_mesher/internal/Edge_flip.h>
-#include <CGAL/Parametric_surface_mesher/internal/Valence_equalization.h>
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Valence_equalization.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Edge_flip.h>
 
 #include <Sample_surfaces.h>
 #include <mesher_test_helpers.h>

@@ -3,15 +3,15 @@
 //
 // Insertion one by one against CGAL's own, taking out, the order of a front and its tiles, and iteration with lookahead.
 #include <CGAL/First_fundamental_form_metric_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Domain_tiles.h>
-#include <CGAL/Parametric_surface_mesher/internal/Domain_walk.h>
-#include <CGAL/Parametric_surface_mesher/internal/Face_measures.h>
-#include <CGAL/Parametric_surface_mesher/internal/Front_queue.h>
-#include <CGAL/Parametric_surface_mesher/internal/Last_value.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Vertex_insertion.h>
-#include <CGAL/Parametric_surface_mesher/internal/Vertex_removal.h>
-#include <CGAL/Parametric_surface_mesher/internal/for_each_with_lookahead.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
+#include <CGAL/Parametric_surface_mesher/internal/refinement/Domain_tiles.h>
+#include <CGAL/Parametric_surface_mesher/internal/refinement/Front_queue.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Last_value.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Domain_walk.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Vertex_insertion.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Vertex_removal.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/for_each_with_lookahead.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

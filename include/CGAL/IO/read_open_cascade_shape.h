@@ -3,11 +3,11 @@
 #ifndef CGAL_IO_READ_OPEN_CASCADE_SHAPE_H
 #define CGAL_IO_READ_OPEN_CASCADE_SHAPE_H
 
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/suspend_handle_macro.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/restore_handle_macro.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
-#include <CGAL/Parametric_surface_mesher/internal/Open_cascade/Kernel_guard.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/First_fundamental_form_metric_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Plane_kernel;
 typedef CGAL::Parametric_surface_mesher::internal::Patch_triangulation_2<Plane_kernel> Plane_triangulation;

@@ -1,0 +1,138 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTS_CHARTED_SURFACE_3_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTS_CHARTED_SURFACE_3_H
+
+#include <CGAL/Parametric_surface_mesher/internal/charts/Patch_chart_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Last_value.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_point_2.h>
+#include <CGAL/Surface_jet_3.h>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// A surface in the coordinates of a chart: a model of `ParametricSurface_3`. The way back to the domain costs as much as an
+// evaluation of the surface: for the last point it is remembered, as is the jet in the domain, since both are asked for
+// several times. So an object is for one thread.
+template <class Surface>
+class Charted_surface_3
+{
+public:
+  typedef typename Surface::Geom_traits Geom_traits;
+  typedef typename Geom_traits::Point_2 Point_2;
+  typedef typename Geom_traits::Point_3 Point_3;
+  typedef Patch_chart_2<Geom_traits> Chart;
+
+private:
+  const Surface& m_surface;
+  Chart m_chart;
+  mutable Last_value<Point_2, Point_2> m_domain_point;
+  mutable Last_value<Point_2, Surface_jet_3<Geom_traits>> m_domain_jet;
+
+public:
+  Charted_surface_3(const Surface& surface, const Chart& chart) : m_surface(surface), m_chart(chart) {}
+
+  const Chart& chart() const { return m_chart; }
+
+  // see `Patch_chart_2`; in a chart that is the identity it is for nobody to ask
+  const Point_2& domain_point(const Point_2& z) const
+  {
+    return m_domain_point(z, [this](const Point_2& p) { return m_chart.domain_point(p); });
+  }
+
+  // Whether edges are straight in the domain and not in the coordinates of the chart.
+  bool has_bent_edges() const { return !m_chart.is_identity() && m_chart.keeps_domain_lines(); }
+
+  Point_3 point(double x, double y) const
+  {
+    if(m_chart.is_identity())
+      return m_surface.point(x, y);
+    const Point_2 uv = domain_point(Point_2(x, y));
+    return m_surface.point(uv.x(), uv.y());
+  }
+
+  Point_3 point_in_domain(const Point_2& uv) const { return m_surface.point(uv.x(), uv.y()); }
+
+  // At a pole the derivatives depend on the direction: those a little away from it are taken.
+  Surface_jet_3<Geom_traits> jet(double x, double y) const
+  {
+    if(m_chart.is_identity())
+      return m_surface.jet(x, y);
+    Point_2 z(x, y);
+    if(m_chart.is_pole(z))
+      z = m_chart.beside_pole(z, distance_from_pole);
+    return m_chart.chart_jet(domain_jet(domain_point(z)), z);
+  }
+
+  // The jet by the coordinates whose straight lines count.
+  Surface_jet_3<Geom_traits> line_jet(const Point_2& z) const
+  {
+    if(!m_chart.keeps_domain_lines())
+      return jet(z.x(), z.y());
+    return domain_jet(domain_point(z));
+  }
+
+private:
+  static constexpr double distance_from_pole = 1e-4;
+
+  const Surface_jet_3<Geom_traits>& domain_jet(const Point_2& uv) const
+  {
+    return m_domain_jet(uv, [this](const Point_2& p) { return m_surface.jet(p.x(), p.y()); });
+  }
+};
+
+template <class Surface, class Kernel>
+void set_line_point(const Charted_surface_3<Surface>& surface, Patch_point_2<Kernel>& point)
+{
+  if(surface.has_bent_edges())
+    point.set_line_point(surface.domain_point(point.domain_point()));
+}
+
+template <class Surface, class Point_2>
+Point_2 place_in_domain(const Charted_surface_3<Surface>& surface, const Point_2& z)
+{
+  return surface.chart().domain_point(z);
+}
+
+// Of an edge between two points of the chart, in the domain. Of a pole, a whole side of the domain, the point opposite to
+// the other end counts.
+// \pre `surface.has_bent_edges()`
+template <class Surface, class Kernel>
+typename Kernel::Point_2 middle_in_domain(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
+                                          const Patch_point_2<Kernel>& q)
+{
+  const auto& chart = surface.chart();
+  typename Kernel::Point_2 a = p.line_point(), b = q.line_point();
+  if(chart.is_pole(p))
+    a = chart.on_collapsed_side(a, b);
+  if(chart.is_pole(q))
+    b = chart.on_collapsed_side(b, a);
+  return midpoint(a, b);
+}
+
+// The middle of an edge in the coordinates whose straight lines count, as a point of the chart.
+template <class Surface, class Kernel>
+typename Kernel::Point_2 edge_middle(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
+                                     const Patch_point_2<Kernel>& q)
+{
+  return surface.has_bent_edges() ? surface.chart().chart_point(middle_in_domain(surface, p, q))
+                                  : midpoint(p.domain_point(), q.domain_point());
+}
+
+// The same in space, without the way through the chart and back.
+template <class Surface, class Kernel>
+auto edge_middle_in_space(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
+                          const Patch_point_2<Kernel>& q)
+{
+  if(surface.has_bent_edges())
+    return surface.point_in_domain(middle_in_domain(surface, p, q));
+  const auto middle = midpoint(p.domain_point(), q.domain_point());
+  return surface.point(middle.x(), middle.y());
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTS_CHARTED_SURFACE_3_H

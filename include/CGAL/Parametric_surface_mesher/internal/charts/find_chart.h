@@ -1,0 +1,136 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTS_FIND_CHART_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTS_FIND_CHART_H
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/charts/Patch_chart_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/charts/Pointed_apex.h>
+#include <CGAL/Parametric_surface_mesher/internal/charts/Radial_stretch.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Finds the chart for a patch: by its collapsed sides, if they are straight along `u` or `v` and either there is one or
+// there are two. Otherwise it is the identity.
+template <class Surface>
+class Chart_finder
+{
+  typedef typename Surface::Geom_traits Kernel;
+  typedef typename Kernel::Point_2 Point_2;
+  typedef Patch_chart_2<Kernel> Chart;
+  typedef Polar_chart_2<Kernel> Polar_chart;
+
+  const Surface& m_surface;
+  const Boundary_loops<Kernel>& m_loops;
+  Bbox_2 m_box;
+
+public:
+  Chart_finder(const Surface& surface, const Boundary_loops<Kernel>& loops) : m_surface(surface), m_loops(loops), m_box(box_of_loops(loops))
+  {}
+
+  Chart operator()() const
+  {
+    std::vector<Collapsed_side> sides;
+    for(const auto& loop : m_loops)
+      for(std::size_t i = 0; i < loop.size(); ++i)
+        if(loop[i].index == loop[(i + 1) % loop.size()].index)
+          sides.push_back(side(loop[i].domain_point, loop[(i + 1) % loop.size()].domain_point));
+    for(const Collapsed_side& side : sides)
+      if(!(side.extent > 0) || !(side.angle > 0.01) || !fits(side))
+        return Chart();
+    if(sides.size() == 1)
+      return Polar_chart(sides[0], Radial_stretch<Surface>(m_surface, sides[0]).scale());
+    if(sides.size() != 2)
+      return Chart();
+    if(sides[0].is_on_v_line != sides[1].is_on_v_line)
+      return corner_chart(sides[0].is_on_v_line ? sides[0] : sides[1], sides[0].is_on_v_line ? sides[1] : sides[0]);
+    if(sides[0].is_lower == sides[1].is_lower)
+      return Chart();
+    return sides[0].is_lower ? Polar_chart(sides[0], sides[1]) : Polar_chart(sides[1], sides[0]);
+  }
+
+private:
+  // the side from `p` to `q`; its extent is 0 if it is not along an edge of the domain's box
+  Collapsed_side side(const Point_2& p, const Point_2& q) const
+  {
+    Collapsed_side result;
+    result.is_on_v_line = p.y() == q.y();
+    result.from = result.is_on_v_line ? p.x() : p.y();
+    result.to = result.is_on_v_line ? q.x() : q.y();
+    result.level = result.is_on_v_line ? p.y() : p.x();
+    result.low = result.is_on_v_line ? m_box.xmin() : m_box.ymin();
+    result.high = result.is_on_v_line ? m_box.xmax() : m_box.ymax();
+    const double low = result.is_on_v_line ? m_box.ymin() : m_box.xmin();
+    const double high = result.is_on_v_line ? m_box.ymax() : m_box.xmax();
+    const bool is_straight = result.is_on_v_line || p.x() == q.x();
+    result.is_lower = result.level == low;
+    result.extent = is_straight && (result.is_lower || result.level == high) ? high - low : 0;
+    result.angle = angle_at_collapsed_side(m_surface, p, q);
+    return result;
+  }
+
+  // of two sides that meet, on a line `v = constant` and a line `u = constant`, if they are whole sides of the domain's box
+  Chart corner_chart(const Collapsed_side& v_side, const Collapsed_side& u_side) const
+  {
+    for(const Collapsed_side& side : {v_side, u_side})
+      if((std::min)(side.from, side.to) != side.low || (std::max)(side.from, side.to) != side.high)
+        return Chart();
+    const auto opposite = [](const Collapsed_side& side) { return side.is_lower ? side.level + side.extent : side.level - side.extent; };
+    return Corner_chart_2<Kernel>(Point_2(u_side.level, v_side.level), Point_2(opposite(u_side), opposite(v_side)));
+  }
+
+  // Where the domain reaches far beyond the ends of the side, the chart would be too distorted.
+  static bool fits(const Collapsed_side& side)
+  {
+    return side.high - side.low < 2.5 * std::fabs(side.to - side.from);
+  }
+};
+
+template <class Surface>
+Patch_chart_2<typename Surface::Geom_traits> find_chart(const Surface& surface,
+                                                        const Boundary_loops<typename Surface::Geom_traits>& loops)
+{
+  return Chart_finder<Surface>(surface, loops)();
+}
+
+// The divided boundary with one copy of the point that each collapsed side is.
+template <class Kernel>
+Boundary_loops<Kernel> without_collapsed_sides(const Boundary_loops<Kernel>& loops)
+{
+  Boundary_loops<Kernel> result;
+  for(const auto& loop : loops) {
+    result.emplace_back();
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      if(loop[i].index != loop[(i + 1) % loop.size()].index)
+        result.back().push_back(loop[i]);
+  }
+  return result;
+}
+
+// The divided boundary in the coordinates of a chart, where a collapsed side is one point.
+template <class Kernel>
+Boundary_loops<Kernel> chart_loops(const Boundary_loops<Kernel>& loops, const Patch_chart_2<Kernel>& chart)
+{
+  if(chart.is_identity())
+    return loops;
+  Boundary_loops<Kernel> result = without_collapsed_sides(loops);
+  for(auto& loop : result)
+    for(Boundary_vertex<Kernel>& vertex : loop)
+      vertex.domain_point = chart.chart_point(vertex.domain_point);
+  return result;
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTS_FIND_CHART_H

@@ -1,0 +1,126 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_CROSSING_REFINEMENT_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_CROSSING_REFINEMENT_H
+
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/charts/find_chart.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/Model_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
+
+#include <cstddef>
+#include <set>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Boundary curves may keep apart although the straight segments between the points of their division cross or touch. Such
+// pieces are halved, for all faces that use the edge, until no segments cross; if halving does not help, the curves cross
+// and are refused.
+template <class Oracle>
+class Crossing_refinement
+{
+  typedef Model_division<Oracle> Division;
+  typedef typename Division::Kernel Kernel;
+  typedef typename Division::Piece Piece;
+  typedef Boundary_check<Kernel> Check;
+  typedef typename Check::Segment_id Segment_id;
+
+  Division& m_division;
+  const std::vector<Oracle>& m_oracles; // of the faces
+
+public:
+  Crossing_refinement(Division& division, const std::vector<Oracle>& oracles) : m_division(division), m_oracles(oracles) {}
+
+  // Sees to the faces whose boundary has changed since it was called last. Returns how many pieces were halved.
+  std::size_t operator()()
+  {
+    std::size_t number_of_splits = 0;
+    for(auto faces = m_division.take_changed_faces(); !faces.empty(); faces = m_division.take_changed_faces()) {
+      std::set<Piece> pieces;
+      for(std::size_t face : faces)
+        with_name_of_face(m_division.model(), face, [&] { collect(face, pieces); });
+      number_of_splits += pieces.size();
+      m_division.split(pieces);
+    }
+    return number_of_splits;
+  }
+
+private:
+  // The segments must not cross in the domain, nor in the chart where they are straight instead.
+  void collect(std::size_t face, std::set<Piece>& pieces) const
+  {
+    const Boundary_loops<Kernel> loops = m_division.boundary_loops(face);
+    const Check check(loops);
+    check.check_segments();
+    const auto crossings = check.crossings();
+    for(const auto& crossing : crossings) {
+      const Piece a = piece(face, crossing.first), b = piece(face, crossing.second);
+      const bool can_split_a = !is_straight(face, a.edge) && m_division.can_be_split(a),
+                 can_split_b = !is_straight(face, b.edge) && m_division.can_be_split(b);
+      if(!can_split_a && !can_split_b)
+        throw Parametric_surface_mesh_error(check.describe_crossing(crossing));
+      insert_if(can_split_a, a, pieces);
+      insert_if(can_split_b, b, pieces);
+    }
+    if(crossings.empty())
+      collect_in_chart(face, loops, pieces);
+  }
+
+  void collect_in_chart(std::size_t face, const Boundary_loops<Kernel>& loops, std::set<Piece>& pieces) const
+  {
+    const auto chart = find_chart(m_oracles[face].surface(), loops);
+    if(chart.is_identity())
+      return;
+    const Boundary_loops<Kernel> charted_loops = chart_loops(loops, chart);
+    const Check check(charted_loops);
+    check.check_segments();
+    for(const auto& crossing : check.crossings()) {
+      const Piece a = piece(face, segment_in_domain(loops, crossing.first)),
+                  b = piece(face, segment_in_domain(loops, crossing.second));
+      if(!m_division.can_be_split(a) && !m_division.can_be_split(b))
+        throw Parametric_surface_mesh_error("around a pole, in polar coordinates, " + check.describe_crossing(crossing));
+      insert_if(m_division.can_be_split(a), a, pieces);
+      insert_if(m_division.can_be_split(b), b, pieces);
+    }
+  }
+
+  static void insert_if(bool is_wanted, const Piece& piece, std::set<Piece>& pieces)
+  {
+    if(is_wanted)
+      pieces.insert(piece);
+  }
+
+  Piece piece(std::size_t face, const Segment_id& segment) const
+  {
+    return m_division.piece(face, segment.first, segment.second);
+  }
+
+  // in the domain of the face: then halving a piece does not change the boundary
+  bool is_straight(std::size_t face, std::size_t edge) const
+  {
+    for(const auto& use : m_division.uses()[edge])
+      if(use.face == face && use.use->curve.is_straight())
+        return true;
+    return false;
+  }
+
+  // A chart leaves out the segments between copies of a pole.
+  static Segment_id segment_in_domain(const Boundary_loops<Kernel>& loops, const Segment_id& in_chart)
+  {
+    const auto& loop = loops[in_chart.first];
+    std::size_t left = in_chart.second, i = 0;
+    for(;; ++i)
+      if(loop[i].index != loop[(i + 1) % loop.size()].index && left-- == 0)
+        return {in_chart.first, i};
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_CROSSING_REFINEMENT_H

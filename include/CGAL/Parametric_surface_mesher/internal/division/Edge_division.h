@@ -1,0 +1,172 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_EDGE_DIVISION_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_EDGE_DIVISION_H
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/charts/Pointed_apex.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/criteria_of_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
+#include <CGAL/Parametric_surface_model_3.h>
+#include <CGAL/divide_curve.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The points of a divided edge.
+template <class Kernel>
+struct Edge_division
+{
+  std::vector<double> parameters;
+  std::vector<typename Kernel::Point_3> points;
+  double smallest_piece = 0;         // in the parameter
+  bool keeps_first_piece = false, keeps_last_piece = false;
+};
+
+// Divides the edges of a model, each once: its curve in space, or that on the first face that uses it, with the sizes of all
+// faces that do.
+template <class Oracle>
+class Edge_divider
+{
+public:
+  typedef typename Oracle::Geom_traits Kernel;
+  typedef typename Oracle::Surface Surface;
+  typedef Parametric_surface_model_3<Surface> Model;
+
+private:
+  typedef typename Model::Edge_use Edge_use;
+  typedef typename Model_uses<Model>::Use Use;
+
+  static constexpr double smallest_share = 1. / 4096; // of a piece that is halved again and again
+
+  const Model& m_model;
+  const std::vector<Oracle>& m_oracles; // of the faces
+  const Parametric_surface_mesh_criteria& m_criteria;
+  Model_uses<Model> m_uses;
+  std::vector<Parametric_surface_mesh_criteria> m_face_criteria;
+  std::vector<Boundary_size<Oracle>> m_sizes; // of the faces
+
+public:
+  Edge_divider(const Model& model, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria)
+    : m_model(model), m_oracles(oracles), m_criteria(criteria), m_uses(model)
+  {
+    const auto curve = [](const Edge_use& use) -> const auto& { return use.curve; };
+    for(const auto& face : model.faces())
+      m_face_criteria.push_back(criteria_of_face(criteria, face));
+    for(std::size_t f = 0; f < model.faces().size(); ++f)
+      m_sizes.emplace_back(oracles[f], m_face_criteria[f], domain_box(model.faces()[f].loops, curve));
+  }
+
+  const Model_uses<Model>& uses() const { return m_uses; }
+
+  // around the loops of a face in its domain
+  const Bbox_2& box(std::size_t face) const { return m_sizes[face].box(); }
+
+  // 0 if the number of pieces is not prescribed
+  std::size_t prescribed_number(std::size_t edge) const
+  {
+    std::size_t result = 0;
+    for(const Use& use : m_uses[edge])
+      result = (std::max)(result, std::size_t(use.use->curve.number_of_edges()));
+    return result;
+  }
+
+  // at a parameter of the curve of an edge
+  typename Kernel::Point_3 point(std::size_t edge, double t) const
+  {
+    return with_curve(edge, [&](const auto& curve) { return curve.point(t); });
+  }
+
+  Edge_division<Kernel> divide(std::size_t number, std::size_t least_number_of_pieces) const
+  {
+    Edge_division<Kernel> division;
+    const std::size_t prescribed = prescribed_number(number);
+    if(prescribed > 0 && prescribed < least_number_of_pieces && m_uses[number].size() > 1)
+      throw Parametric_surface_mesh_error("edge " + std::to_string(number) + " is to be divided into "
+                                          + std::to_string(prescribed) + " pieces, but it needs at least "
+                                          + std::to_string(least_number_of_pieces)
+                                          + ": with fewer, edges of the mesh would coincide");
+    with_curve(number, [&](const auto& curve) {
+      if(m_model.edges()[number].is_collapsed)
+        division.parameters = {curve.begin(), curve.end()};
+      else
+        division.parameters = divide_curve(
+          curve, criteria_of_edge(number), [&](double t) { return spacing_limit(number, t); }, least_number_of_pieces, prescribed);
+      for(double t : division.parameters)
+        division.points.push_back(curve.point(t));
+    });
+    division.points.front() = m_model.vertices()[m_model.edges()[number].source];
+    division.points.back() = m_model.vertices()[m_model.edges()[number].target];
+    double smallest = std::fabs(division.parameters.back() - division.parameters.front());
+    for(std::size_t i = 0; i + 1 < division.parameters.size(); ++i)
+      smallest = (std::min)(smallest, std::fabs(division.parameters[i + 1] - division.parameters[i]));
+    division.smallest_piece = smallest_share * smallest;
+    return division;
+  }
+
+  // makes the first two pieces at an end one, where that end is a pointed apex
+  void join_at_apexes(std::size_t edge, std::size_t least_number_of_pieces, const Pointed_apexes<Model>& apexes,
+                      Edge_division<Kernel>& division) const
+  {
+    for(bool is_at_source : {true, false}) {
+      const std::size_t n = division.parameters.size() - 1;
+      if(n <= (std::max)(least_number_of_pieces, std::size_t(2)) || prescribed_number(edge) > 0)
+        return;
+      const auto squared_length = [&](std::size_t i, std::size_t k) {
+        return squared_distance(division.points[is_at_source ? i : n - i], division.points[is_at_source ? k : n - k]);
+      };
+      const std::size_t vertex = is_at_source ? m_model.edges()[edge].source : m_model.edges()[edge].target;
+      const double length = std::sqrt(squared_length(0, 2));
+      if(length <= criteria_of_edge(edge).max_edge() && squared_length(1, 2) < 1.1 * squared_length(0, 1)
+         && apexes.asks_for_one_piece(edge, vertex, length, m_criteria.min_edge())) {
+        division.parameters.erase(division.parameters.begin() + (is_at_source ? 1 : n - 1));
+        division.points.erase(division.points.begin() + (is_at_source ? 1 : n - 1));
+      }
+    }
+  }
+
+private:
+  // Calls `function` with the curve of an edge in space.
+  template <class Function>
+  auto with_curve(std::size_t edge, Function function) const
+  {
+    if(m_model.edges()[edge].curve)
+      return function(*m_model.edges()[edge].curve);
+    const Use& use = m_uses[edge].front();
+    return function(Curve_on_surface_3<Surface>(m_oracles[use.face].surface(), use.use->curve));
+  }
+
+  // with the smallest of the sizes that the edge and its faces have of their own
+  Parametric_surface_mesh_criteria criteria_of_edge(std::size_t edge) const
+  {
+    Parametric_surface_mesh_criteria result = m_criteria;
+    limit_max_edge(m_model.edges()[edge].max_edge, result);
+    for(const Use& use : m_uses[edge])
+      limit_max_edge(m_model.faces()[use.face].max_edge, result);
+    return result;
+  }
+
+  double spacing_limit(std::size_t edge, double t) const
+  {
+    double limit = m_criteria.max_edge();
+    for(const Use& use : m_uses[edge])
+      limit = (std::min)(limit, m_sizes[use.face](use.use->curve, t, use.is_domain_left));
+    return limit;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_EDGE_DIVISION_H

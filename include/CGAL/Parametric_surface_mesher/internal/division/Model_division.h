@@ -1,0 +1,380 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_MODEL_DIVISION_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_MODEL_DIVISION_H
+
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/internal/charts/Pointed_apex.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/Edge_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/least_numbers_of_pieces.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
+#include <CGAL/Parametric_surface_model_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The divided edges of a model, as the faces and the mesh see them.
+template <class Oracle>
+class Model_division
+{
+public:
+  typedef typename Oracle::Geom_traits Kernel;
+  typedef typename Oracle::Surface Surface;
+  typedef Parametric_surface_model_3<Surface> Model;
+  typedef typename Model::Edge_use Edge_use;
+  typedef typename Kernel::Point_3 Point_3;
+
+  // a piece of a divided edge, from its point `number` to the next one
+  struct Piece
+  {
+    std::size_t edge, number;
+
+    bool operator<(const Piece& other) const
+    {
+      return std::make_pair(edge, number) < std::make_pair(other.edge, other.number);
+    }
+  };
+
+private:
+  typedef typename Kernel::Point_2 Point_2;
+  typedef std::vector<Point_2> Domain_points;
+
+  static const std::size_t no_index = std::size_t(-1);
+
+  const Model& m_model;
+  Edge_divider<Oracle> m_divider;
+  std::vector<Edge_division<Kernel>> m_divisions;          // of the edges
+  std::vector<std::vector<Domain_points>> m_domain_points; // of the edges, for each use; curves are asked once
+  std::vector<std::size_t> m_first_inner_indices; // in the mesh, of the second points of the edges
+  std::vector<std::size_t> m_vertex_indices;      // in the mesh
+  std::size_t m_number_of_points = 0;
+  std::set<std::size_t> m_changed_edges; // see `take_changed_faces()`
+
+public:
+  Model_division(const Model& model, const std::vector<Oracle>& oracles,
+                 const Parametric_surface_mesh_criteria& criteria)
+    : m_model(model), m_divider(model, oracles, criteria), m_divisions(model.edges().size()),
+      m_domain_points(model.edges().size()),
+      m_first_inner_indices(model.edges().size())
+  {
+    const std::vector<std::size_t> least_numbers = least_numbers_of_pieces(model, uses());
+    const Pointed_apexes<Model> apexes(model);
+    for(std::size_t edge : uses().order())
+      about_face(uses()[edge].front().face, [&] {
+        m_divisions[edge] = m_divider.divide(edge, least_numbers[edge]);
+        m_divider.join_at_apexes(edge, least_numbers[edge], apexes, m_divisions[edge]);
+      });
+    for(std::size_t edge : uses().order())
+      set_domain_points(edge);
+    m_changed_edges.insert(uses().order().begin(), uses().order().end());
+    number_vertices_first();
+  }
+
+  const Model& model() const { return m_model; }
+  const Model_uses<Model>& uses() const { return m_divider.uses(); }
+  std::size_t number_of_points() const { return m_number_of_points; }
+
+  // the number of edges of the division
+  std::size_t number_of_edges() const
+  {
+    std::size_t result = 0;
+    for(std::size_t e : uses().order())
+      if(!m_model.edges()[e].is_collapsed)
+        result += number_of_pieces(e);
+    return result;
+  }
+
+  std::size_t number_of_pieces(std::size_t edge) const { return m_divisions[edge].parameters.size() - 1; }
+
+  // the index in the mesh of a point of a divided edge
+  std::size_t index(std::size_t edge, std::size_t i) const
+  {
+    return i == 0                         ? m_vertex_indices[m_model.edges()[edge].source]
+           : i == number_of_pieces(edge)  ? m_vertex_indices[m_model.edges()[edge].target]
+                                          : m_first_inner_indices[edge] + i - 1;
+  }
+
+  // Indices: first the vertices that are used, then the inner points of the edges in the order of their first use.
+  void number_vertices_first()
+  {
+    start_numbering();
+    std::vector<bool> is_used(m_vertex_indices.size(), false);
+    for(std::size_t e : uses().order())
+      is_used[m_model.edges()[e].source] = is_used[m_model.edges()[e].target] = true;
+    for(std::size_t v = 0; v < m_vertex_indices.size(); ++v)
+      if(is_used[v])
+        number_vertex(v);
+    for(std::size_t e : uses().order())
+      number_inner_points(e);
+  }
+
+  // Indices: along the edges in the order of their first use.
+  // \pre all edges are directed as they are first used
+  void number_along_edges()
+  {
+    start_numbering();
+    for(std::size_t e : uses().order()) {
+      number_vertex(m_model.edges()[e].source);
+      number_inner_points(e);
+    }
+    for(std::size_t e : uses().order())
+      number_vertex(m_model.edges()[e].target);
+  }
+
+  // Halves a piece at the middle of its parameters, unless it is too short already, or the number of pieces is prescribed.
+  bool can_be_split(const Piece& piece) const
+  {
+    const Edge_division<Kernel>& division = m_divisions[piece.edge];
+    return !m_model.edges()[piece.edge].is_collapsed && m_divider.prescribed_number(piece.edge) == 0
+           && std::fabs(division.parameters[piece.number + 1] - division.parameters[piece.number]) > division.smallest_piece;
+  }
+
+  const std::vector<double>& parameters(std::size_t edge) const { return m_divisions[edge].parameters; }
+
+  // at a parameter of the curve of an edge
+  Point_3 point(std::size_t edge, double t) const { return m_divider.point(edge, t); }
+
+  // Moves points along an edge, or puts others in their place. \pre those at the ends stay
+  void set_parameters(std::size_t edge, const std::vector<double>& parameters)
+  {
+    Edge_division<Kernel>& division = m_divisions[edge];
+    division.points.resize(1);
+    for(std::size_t i = 1; i + 1 < parameters.size(); ++i)
+      division.points.push_back(m_divider.point(edge, parameters[i]));
+    division.points.push_back(m_model.vertices()[m_model.edges()[edge].target]);
+    division.parameters = parameters;
+    set_domain_points(edge);
+    m_changed_edges.insert(edge);
+    number_vertices_first();
+  }
+
+  // Marks a piece, if it is at an end of its edge, as one that had better stay whole.
+  void keep(const Piece& piece)
+  {
+    Edge_division<Kernel>& division = m_divisions[piece.edge];
+    division.keeps_first_piece |= piece.number == 0;
+    division.keeps_last_piece |= piece.number + 1 == number_of_pieces(piece.edge);
+  }
+
+  bool is_kept(const Piece& piece) const
+  {
+    const Edge_division<Kernel>& division = m_divisions[piece.edge];
+    return (piece.number == 0 && division.keeps_first_piece)
+           || (piece.number + 1 == number_of_pieces(piece.edge) && division.keeps_last_piece);
+  }
+
+  // \pre all can be split; they are in order
+  template <class Pieces>
+  void split(const Pieces& pieces)
+  {
+    for(auto piece = pieces.begin(); piece != pieces.end();) {
+      const std::size_t edge = piece->edge;
+      std::vector<std::size_t> numbers;
+      for(; piece != pieces.end() && piece->edge == edge; ++piece)
+        numbers.push_back(piece->number);
+      split(edge, numbers);
+    }
+    number_vertices_first();
+  }
+
+  // the faces with an edge that was divided, or divided anew, since this was called last
+  std::vector<std::size_t> take_changed_faces()
+  {
+    std::set<std::size_t> result;
+    for(std::size_t edge : m_changed_edges)
+      for(const auto& use : uses()[edge])
+        result.insert(use.face);
+    m_changed_edges.clear();
+    return std::vector<std::size_t>(result.begin(), result.end());
+  }
+
+  // the faces that use the edges of pieces
+  template <class Pieces>
+  std::vector<std::size_t> faces_at(const Pieces& pieces) const
+  {
+    std::set<std::size_t> result;
+    for(const Piece& piece : pieces)
+      for(const auto& use : uses()[piece.edge])
+        result.insert(use.face);
+    return std::vector<std::size_t>(result.begin(), result.end());
+  }
+
+  // the divided boundary of a face
+  Boundary_loops<Kernel> boundary_loops(std::size_t face) const
+  {
+    Boundary_loops<Kernel> result;
+    std::map<std::size_t, Domain_points> corners; // domain points of each vertex
+    const double tolerance = 1e-9 * (m_divider.box(face).x_span() + m_divider.box(face).y_span());
+    for(const auto& loop : m_model.faces()[face].loops) {
+      result.emplace_back();
+      result.back().reserve(number_of_segments(loop));
+      for(const Edge_use& use : loop) {
+        const std::size_t first = result.back().size();
+        append(use, result.back());
+        snap(result.back()[first], corners[result.back()[first].index], tolerance);
+      }
+    }
+    return result;
+  }
+
+  // the piece that a segment of the boundary of a face is
+  Piece piece(std::size_t face, std::size_t loop, std::size_t segment) const
+  {
+    auto use = m_model.faces()[face].loops[loop].begin();
+    for(; segment >= number_of_pieces(use->edge); ++use)
+      segment -= number_of_pieces(use->edge);
+    return {use->edge, use->is_reversed ? number_of_pieces(use->edge) - 1 - segment : segment};
+  }
+
+  // of a divided edge
+  const std::vector<Point_3>& points(std::size_t edge) const { return m_divisions[edge].points; }
+
+  // Whether an edge that is used has this vertex of the model.
+  bool is_used(std::size_t vertex) const { return m_vertex_indices[vertex] != no_index; }
+
+  // the index in the mesh of a vertex of the model that is used
+  std::size_t vertex_index(std::size_t vertex) const { return m_vertex_indices[vertex]; }
+
+  // Vertices where several pieces of the mesh may meet: those of the model, and all of edges that are not manifold.
+  std::vector<std::size_t> meeting_points() const
+  {
+    std::vector<std::size_t> result;
+    for(std::size_t index : m_vertex_indices)
+      if(index != no_index)
+        result.push_back(index);
+    for(std::size_t e : uses().order())
+      if(!uses().is_manifold(e))
+        for(std::size_t i = 1; i < number_of_pieces(e); ++i)
+          result.push_back(index(e, i));
+    return result;
+  }
+
+private:
+  void start_numbering()
+  {
+    m_vertex_indices.assign(m_model.vertices().size(), std::size_t(no_index));
+    m_number_of_points = 0;
+  }
+
+  void number_vertex(std::size_t v)
+  {
+    if(m_vertex_indices[v] == no_index)
+      m_vertex_indices[v] = m_number_of_points++;
+  }
+
+  void number_inner_points(std::size_t edge)
+  {
+    m_first_inner_indices[edge] = m_number_of_points;
+    m_number_of_points += m_divisions[edge].parameters.size() - 2;
+  }
+
+  void set_domain_points(std::size_t edge)
+  {
+    m_domain_points[edge].clear();
+    for(const auto& use : uses()[edge]) {
+      m_domain_points[edge].emplace_back();
+      for(double t : m_divisions[edge].parameters)
+        m_domain_points[edge].back().push_back(domain_point(use, t));
+    }
+  }
+
+  template <class Use>
+  Point_2 domain_point(const Use& use, double t) const
+  {
+    return with_name_of_face(m_model, use.face, [&] { return use.use->curve.point(t); });
+  }
+
+  const Domain_points& domain_points(const Edge_use& use) const
+  {
+    std::size_t i = 0;
+    while(uses()[use.edge][i].use != &use)
+      ++i;
+    return m_domain_points[use.edge][i];
+  }
+
+  void split(std::size_t edge, const std::vector<std::size_t>& numbers)
+  {
+    Edge_division<Kernel>& division = m_divisions[edge];
+    for(std::size_t u = 0; u < m_domain_points[edge].size(); ++u)
+      put_in_middles(uses()[edge][u], division.parameters, numbers, m_domain_points[edge][u]);
+    std::vector<double> parameters;
+    std::vector<Point_3> points;
+    auto next = numbers.begin();
+    for(std::size_t i = 0; i < division.parameters.size(); ++i) {
+      parameters.push_back(division.parameters[i]);
+      points.push_back(division.points[i]);
+      if(next != numbers.end() && *next == i) {
+        const double t = 0.5 * (division.parameters[i] + division.parameters[i + 1]);
+        parameters.push_back(t);
+        points.push_back(m_divider.point(edge, t));
+        ++next;
+      }
+    }
+    division.parameters.swap(parameters);
+    division.points.swap(points);
+    m_changed_edges.insert(edge);
+  }
+
+  template <class Use>
+  void put_in_middles(const Use& use, const std::vector<double>& parameters, const std::vector<std::size_t>& numbers,
+                      Domain_points& points) const
+  {
+    Domain_points result;
+    auto next = numbers.begin();
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      result.push_back(points[i]);
+      if(next != numbers.end() && *next == i) {
+        result.push_back(domain_point(use, 0.5 * (parameters[i] + parameters[i + 1])));
+        ++next;
+      }
+    }
+    points.swap(result);
+  }
+
+  // the points of a use but for its last one, which begins the next use
+  void append(const Edge_use& use, std::vector<Boundary_vertex<Kernel>>& loop) const
+  {
+    const Edge_division<Kernel>& division = m_divisions[use.edge];
+    const Domain_points& points = domain_points(use);
+    const std::size_t n = number_of_pieces(use.edge);
+    for(std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = use.is_reversed ? n - k : k;
+      loop.push_back({points[i], division.points[i], index(use.edge, i)});
+    }
+  }
+
+  std::size_t number_of_segments(const typename Model::Loop& loop) const
+  {
+    return std::accumulate(loop.begin(), loop.end(), std::size_t(0),
+                           [this](std::size_t n, const Edge_use& use) { return n + number_of_pieces(use.edge); });
+  }
+
+  // Loops that touch in a vertex have exactly the same point there.
+  static void snap(Boundary_vertex<Kernel>& vertex, Domain_points& corners, double tolerance)
+  {
+    for(const auto& corner : corners)
+      if(squared_distance(corner, vertex.domain_point) <= tolerance * tolerance) {
+        vertex.domain_point = corner;
+        return;
+      }
+    corners.push_back(vertex.domain_point);
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_MODEL_DIVISION_H

@@ -1,0 +1,350 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_IMPROVEMENT_PATCH_REPAIR_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_IMPROVEMENT_PATCH_REPAIR_H
+
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Face_turning.h>
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Failure_count.h>
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Star_trial.h>
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Vertex_star.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Edge_flip.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Kept_states.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Vertex_removal.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <initializer_list>
+#include <iterator>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+/*
+What insertion of points could not make good, and what has an angle below the one aimed at: edges of such faces are
+flipped and their inner vertices moved, where that raises the smallest angle around and makes no face too large or too far
+from the surface. If neither helps a face that fails the angle, one of its inner vertices is taken out, on the same terms:
+beside a piece of boundary that is longer than the edges around, there often is one too many. The boundary stays. Most of
+these faces lie beside it, where a vertex is a little off the one place that suits its neighbours, or where fronts have met.
+Where they are many, it is the boundary that keeps them from being better, and small steps are made but for faces near the
+criterion of the angle, and around those that fail one.
+*/
+template <class Evaluator, class IsBad>
+class Patch_repair
+{
+  typedef typename Evaluator::Kernel Kernel;
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Point Point;
+  typedef typename Kernel::Point_2 Point_2;
+  typedef Vertex_star<Triangulation, typename Evaluator::Oracle::Metric_field> Star;
+  typedef internal::Failure_count<Evaluator, IsBad> Failure_count;
+
+  // where a vertex might go, and the smallest angle that this would give, as far as the surface can be told from the vertex
+  struct Candidate
+  {
+    Point_2 position;
+    double squared_sine;
+  };
+
+  // of the squared sine
+  static constexpr double least_gain = 1.01, least_gain_of_many = 1.2;
+  static constexpr double share_of_near = 1.3; // 35 degrees, for a criterion of 30
+
+  static constexpr double share_of_few = 0.1; // of the faces
+
+  Triangulation& m_triangulation;
+  const Evaluator& m_evaluate;
+  double m_squared_sine, m_squared_sine_of_criterion, m_squared_min_edge;
+  double m_least_gain = least_gain; // for the face that is repaired
+  bool m_are_poor_few = true;       // of the faces
+  bool m_is_full;                   // of vertices: then none is removed, so that the limit stays to be seen
+  Star m_star;
+  Kept_states<Face_handle> m_states;
+  Face_turning<Evaluator> m_turn_over;
+  const Failure_count m_number_of_failures;
+  Star_trial<Star, Failure_count> m_trial;
+  std::deque<Face_handle> m_queue;
+  std::unordered_set<Face_handle> m_removed; // faces
+  std::vector<Point_2> m_apices;
+  std::vector<Candidate> m_candidates;
+
+public:
+  Patch_repair(Triangulation& triangulation, const Evaluator& evaluate, const IsBad& is_bad,
+               const Parametric_surface_mesh_criteria& criteria)
+    : m_triangulation(triangulation), m_evaluate(evaluate),
+      m_squared_sine(squared_sine_of_degrees(criteria.improvement_angle())),
+      m_squared_sine_of_criterion(squared_sine_of_degrees(criteria.angle())),
+      m_squared_min_edge(square(criteria.min_edge())),
+      m_is_full(triangulation.number_of_vertices() >= criteria.max_number_of_vertices()),
+      m_star(triangulation, evaluate.oracle().metric()),
+      m_turn_over(triangulation, evaluate, m_squared_min_edge),
+      m_number_of_failures(evaluate, is_bad, criteria),
+      m_trial(m_star, m_number_of_failures)
+  {}
+
+  // it refers to itself
+  Patch_repair(const Patch_repair&) = delete;
+  Patch_repair& operator=(const Patch_repair&) = delete;
+
+  // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more
+  // than can be, bad faces are many and improvement would take longer than refinement: some are left as they are. A face
+  // that could not be repaired is tried again once something beside it has changed, and not before.
+  template <class GoFurther>
+  void operator()(const GoFurther& go_further)
+  {
+    add_all_poor();
+    if(m_queue.empty())
+      return;
+    for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
+      vertex->set_settled(false);
+    std::size_t attempts_left = 1000 + m_triangulation.number_of_faces() / 20;
+    while(!m_queue.empty() && attempts_left > 0 && go_further()) {
+      const Face_handle face = take_first();
+      if(face != Face_handle() && is_poor(face)) {
+        repair(face);
+        --attempts_left;
+      }
+    }
+    while(!m_queue.empty())
+      take_first();
+  }
+
+private:
+  // \pre the state of the face is known
+  bool is_poor(Face_handle face) const
+  {
+    return face->state() == Face_state::BLOCKED || (m_squared_sine > 0 && squared_sine(face) < m_squared_sine);
+  }
+
+  // of the queue; returns none if it was removed
+  Face_handle take_first()
+  {
+    const Face_handle face = m_queue.front();
+    m_queue.pop_front();
+    if(m_removed.count(face) > 0)
+      return Face_handle();
+    face->set_waiting(false);
+    return face;
+  }
+
+  double squared_sine(Face_handle face) const
+  {
+    return is_collapsed(face) ? 1 : face_measures(face, m_evaluate.oracle().metric()).squared_smallest_sine;
+  }
+
+  void add_all_poor()
+  {
+    std::size_t number_of_faces = 0;
+    for(Face_handle face : m_triangulation.finite_face_handles())
+      if(face->is_in_domain()) {
+        ++number_of_faces;
+        add_if_poor(face);
+      }
+    m_are_poor_few = double(m_queue.size()) < share_of_few * double(number_of_faces);
+  }
+
+  void add_if_poor(Face_handle face)
+  {
+    if(face->is_waiting() || !is_poor(face))
+      return;
+    face->set_waiting(true);
+    m_queue.push_back(face);
+  }
+
+  // A vertex that has no better place is settled until its star changes.
+  void repair(Face_handle face)
+  {
+    const bool is_urgent = squared_sine(face) < share_of_near * m_squared_sine_of_criterion || is_at_failure(face);
+    m_least_gain = m_are_poor_few || is_urgent ? least_gain : least_gain_of_many;
+    if(m_turn_over.is_inverted(face) && turn_over(face))
+      return;
+    for(int i = 0; i < 3; ++i)
+      if(flip_if_better(face, i))
+        return;
+    for(int i = 0; i < 3; ++i) {
+      const Vertex_handle vertex = face->vertex(i);
+      if(vertex->is_on_boundary() || vertex->is_settled())
+        continue;
+      if(move_if_better(vertex, {1., 0.5, 0.25, 0.1}))
+        return;
+      vertex->set_settled(true);
+    }
+    if(!m_is_full && squared_sine(face) < m_squared_sine_of_criterion)
+      for(int i = 0; i < 3; ++i)
+        if(!face->vertex(i)->is_on_boundary() && remove_if_better(face->vertex(i)))
+          return;
+    if(m_number_of_failures.is_needle(squared_sine(face))) // one that much is in the way of
+      for(int i = 0; i < 3; ++i)
+        if(!face->vertex(i)->is_on_boundary() && move_if_better(face->vertex(i), {0.05, 0.02}))
+          return;
+  }
+
+  // Whether it has a vertex with a face that fails a criterion.
+  bool is_at_failure(Face_handle face) const
+  {
+    for(int i = 0; i < 3; ++i) {
+      auto around = m_triangulation.incident_faces(face->vertex(i));
+      const auto first = around;
+      do
+        if(around->is_in_domain() && around->state() == Face_state::BLOCKED)
+          return true;
+      while(++around != first);
+    }
+    return false;
+  }
+
+  bool turn_over(Face_handle face)
+  {
+    const std::vector<Face_handle>& changed = m_turn_over(face);
+    m_number_of_failures.examine(changed);
+    add_around(changed);
+    return !changed.empty();
+  }
+
+  // changed faces and their neighbours are looked at again
+  template <class Faces>
+  void add_around(const Faces& changed)
+  {
+    for(Face_handle face : changed) {
+      add_if_poor(face);
+      for(int i = 0; i < 3; ++i)
+        if(!face->is_constrained(i))
+          add_if_poor(face->neighbor(i));
+    }
+  }
+
+  bool flip_if_better(Face_handle face, int i)
+  {
+    if(face->is_constrained(i))
+      return false;
+    Edge_flip<Triangulation> edge(m_triangulation, face, i);
+    const auto& metric = m_evaluate.oracle().metric();
+    const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
+    const double worst = edge.worst_before(metric, sine);
+    if(!(edge.worst_after(metric, sine) > m_least_gain * worst) || !edge.is_valid())
+      return false;
+    const auto faces = edge.faces();
+    const std::size_t failures = m_number_of_failures(faces, worst);
+    m_states.keep(faces);
+    edge.flip();
+    if(m_number_of_failures(faces, worst, failures) <= failures) {
+      add_around(faces);
+      return true;
+    }
+    edge.undo();
+    m_states.give_back();
+    return false;
+  }
+
+  // by shares of the way to apices
+  bool move_if_better(Vertex_handle vertex, std::initializer_list<double> shares)
+  {
+    m_star.collect(vertex);
+    const Point old_point = vertex->point();
+    const double old_sine = m_star.squared_smallest_sine(old_point), least = m_least_gain * old_sine;
+    collect_candidates(vertex, least, shares);
+    m_trial.begin(old_sine);
+    for(const Candidate& candidate : m_candidates) {
+      if(!m_star.is_around(candidate.position))
+        continue;
+      const Point point = m_evaluate.position(candidate.position, vertex->spacing()).point;
+      if(!(m_star.squared_smallest_sine(point, least) > least) || !m_star.is_far_enough(point, old_point, m_squared_min_edge))
+        continue;
+      if(m_trial.move_to(point)) {
+        m_star.unsettle_ring();
+        add_around(m_star.faces());
+        return true;
+      }
+    }
+    m_trial.give_up();
+    return false;
+  }
+
+  bool remove_if_better(Vertex_handle vertex)
+  {
+    m_star.collect(vertex);
+    const double worst = m_star.squared_smallest_sine(vertex->point());
+    const std::size_t failures = m_number_of_failures(m_star.faces(), worst);
+    m_states.keep(m_star.faces());
+    const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
+    Vertex_removal<Triangulation> removal(m_triangulation, vertex);
+    if(removal.cut_ears(m_evaluate.oracle().metric(), sine, m_least_gain * worst)
+       && is_better_without(vertex, removal, worst, failures)) {
+      remove(vertex, removal);
+      return true;
+    }
+    removal.undo();
+    m_states.give_back();
+    return false;
+  }
+
+  // \pre three faces are left at the vertex
+  bool is_better_without(Vertex_handle vertex, Vertex_removal<Triangulation>& removal, double worst,
+                         std::size_t failures) const
+  {
+    std::vector<Face_handle> faces = faces_without(vertex);
+    return removal.with_last_face([&](Face_handle last) {
+      faces.push_back(last);
+      return !is_collapsed(last) && !m_turn_over.is_inverted(last) && squared_sine(last) > m_least_gain * worst
+             && m_number_of_failures(faces, worst, failures) <= failures;
+    });
+  }
+
+  // \pre three faces are left at the vertex
+  void remove(Vertex_handle vertex, Vertex_removal<Triangulation>& removal)
+  {
+    std::vector<Face_handle> changed = faces_without(vertex);
+    const std::vector<Face_handle> faces = removal.faces();
+    const Face_handle last = removal.remove();
+    std::copy_if(faces.begin(), faces.end(), std::inserter(m_removed, m_removed.end()),
+                 [=](Face_handle face) { return face != last; });
+    changed.push_back(last);
+    m_number_of_failures.examine(changed);
+    add_around(changed);
+  }
+
+  // those of the star that are no longer at its centre
+  std::vector<Face_handle> faces_without(Vertex_handle vertex) const
+  {
+    std::vector<Face_handle> result;
+    std::copy_if(m_star.faces().begin(), m_star.faces().end(), std::back_inserter(result),
+                 [&](Face_handle face) { return !face->has_vertex(vertex); });
+    return result;
+  }
+
+  // Places that may give a smallest angle above that of `least`, the best first: by shares of the way to apices.
+  void collect_candidates(Vertex_handle vertex, double least, std::initializer_list<double> shares)
+  {
+    m_star.apices(m_apices);
+    m_candidates.clear();
+    const Point& p = vertex->point();
+    const auto jet = m_evaluate.position(p, vertex->spacing()).jet;
+    for(const Point_2& apex : m_apices)
+      for(double share : shares) {
+        const double u = share * (apex.x() - p.x()), v = share * (apex.y() - p.y());
+        const Point_2 position(p.x() + u, p.y() + v);
+        const auto move = u * jet.du + v * jet.dv + (0.5 * u * u) * jet.duu + (u * v) * jet.duv + (0.5 * v * v) * jet.dvv;
+        const double sine = m_star.squared_smallest_sine(Point(position, p.surface_point() + move, p.tensor()), least);
+        if(sine > least)
+          m_candidates.push_back({position, sine});
+      }
+    std::stable_sort(m_candidates.begin(), m_candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.squared_sine > b.squared_sine; });
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_IMPROVEMENT_PATCH_REPAIR_H

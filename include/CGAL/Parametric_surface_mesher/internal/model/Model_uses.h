@@ -1,0 +1,87 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_MODEL_USES_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_MODEL_USES_H
+
+#include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// What uses each edge of a model, and on which side of the edge it lies. Refers to the loops of the model.
+template <class Model>
+class Model_uses
+{
+public:
+  typedef typename Model::Edge_use Edge_use;
+
+  struct Use
+  {
+    std::size_t face;
+    const Edge_use* use;
+    bool is_domain_left; // of the edge's curve in the domain
+  };
+
+private:
+  const Model& m_model;
+  std::vector<std::vector<Use>> m_uses; // of the edges
+  std::vector<std::size_t> m_order;     // of the edges, by their first use
+
+public:
+  // \pre the edges of the uses exist
+  explicit Model_uses(const Model& model) : m_model(model), m_uses(model.edges().size())
+  {
+    for(std::size_t f = 0; f < model.faces().size(); ++f)
+      for(std::size_t l = 0; l < model.faces()[f].loops.size(); ++l)
+        append(f, l);
+  }
+
+  const std::vector<Use>& operator[](std::size_t edge) const { return m_uses[edge]; }
+  const std::vector<std::size_t>& order() const { return m_order; }
+
+  // whether the face of `use`, seen from where it faces to, lies to the left of the edge
+  bool is_face_left(const Use& use) const { return use.is_domain_left != m_model.faces()[use.face].is_reversed; }
+
+  // the uses of an edge, by shells
+  std::map<std::size_t, std::vector<Use>> by_shell(std::size_t edge) const
+  {
+    std::map<std::size_t, std::vector<Use>> result;
+    for(const Use& use : m_uses[edge])
+      result[m_model.faces()[use.face].shell].push_back(use);
+    return result;
+  }
+
+  // whether two faces meet at the edge in a shell, and no other
+  bool is_manifold(std::size_t edge) const
+  {
+    return m_uses[edge].size() <= 2
+           && (m_uses[edge].size() < 2
+               || m_model.faces()[m_uses[edge][0].face].shell == m_model.faces()[m_uses[edge][1].face].shell);
+  }
+
+private:
+  void append(std::size_t face, std::size_t number)
+  {
+    const auto& loop = m_model.faces()[face].loops[number];
+    double double_area = 0;
+    for(const Edge_use& use : loop)
+      double_area += (use.is_reversed ? -1 : 1) * double_area_seen_from(loop.front().curve.source(), use.curve);
+    const bool is_loop_left = (double_area > 0) == (number == 0);
+    for(const Edge_use& use : loop) {
+      if(m_uses[use.edge].empty())
+        m_order.push_back(use.edge);
+      m_uses[use.edge].push_back({face, &use, is_loop_left != use.is_reversed});
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_MODEL_USES_H

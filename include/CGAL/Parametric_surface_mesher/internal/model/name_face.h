@@ -1,0 +1,44 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_NAME_FACE_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_NAME_FACE_H
+
+#include <CGAL/Parametric_surface_mesh_error.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Calls `function`; errors carry the number of the face.
+template <class Function>
+auto about_face(std::size_t face, Function function)
+{
+  try {
+    return function();
+  }
+  catch(const Parametric_surface_mesh_error& error) {
+    throw Parametric_surface_mesh_error(error.what(), face);
+  }
+}
+
+// Calls `function`; errors carry the number of the face, and name it if the model has several.
+template <class Model, class Function>
+auto with_name_of_face(const Model& model, std::size_t face, Function function)
+{
+  try {
+    return function();
+  }
+  catch(const Parametric_surface_mesh_error& error) {
+    const std::string name = model.faces().size() == 1 ? "" : "face " + std::to_string(face) + ": ";
+    throw Parametric_surface_mesh_error(name + error.what(), face);
+  }
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_NAME_FACE_H

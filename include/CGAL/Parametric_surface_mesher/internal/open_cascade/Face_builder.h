@@ -1,0 +1,219 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_FACE_BUILDER_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_FACE_BUILDER_H
+
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
+
+#include <CGAL/Open_cascade_model_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Loop_closer.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_curves.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/find_sphere_chart.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Narrow_face_closer.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/order_uses.h>
+
+#include <BRep_Tool.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Builds one face of a model.
+class Face_builder
+{
+  typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
+  typedef Model::Geom_traits Kernel;
+  typedef Model::Point_3 Point_3;
+  typedef Model::Edge_use Edge_use;
+  typedef Model::Loop Loop;
+  typedef Model::Curve Curve;
+
+  static const int number_of_samples = 16;
+  static constexpr double distrusted_gap = 1e-4, refused_gap = 1e-2; // over the diagonal
+  static constexpr double least_tolerance = 1e-7;                    // over the diagonal
+
+  Open_cascade_model_3& m_result;
+  const TopTools_IndexedMapOfShape& m_edges;
+  const std::vector<Edge_place>& m_places; // of the edges
+  const std::vector<double>& m_vertex_tolerances;
+  TopoDS_Face m_face; // oriented forward
+  std::size_t m_number;
+  Open_cascade_surface_3 m_surface, m_original; // of the model, and of the file
+  std::optional<Stereographic_sphere_3<Kernel>> m_chart; // between the two, on spheres
+  std::vector<std::pair<std::size_t, double>> m_gaps; // of edges
+
+public:
+  Face_builder(Open_cascade_model_3& result, const TopTools_IndexedMapOfShape& edges,
+               const std::vector<Edge_place>& places, const std::vector<double>& vertex_tolerances, const TopoDS_Face& face,
+               std::size_t number)
+    : m_result(result), m_edges(edges), m_places(places), m_vertex_tolerances(vertex_tolerances),
+      m_face(TopoDS::Face(face.Oriented(TopAbs_FORWARD))), m_number(number), m_surface(m_face), m_original(m_surface),
+      m_chart(Sphere_chart_finder(m_face).find<Kernel>())
+  {
+    if(m_chart)
+      m_surface = Open_cascade_surface_3::reparametrized(*m_chart);
+  }
+
+  // the face, without its side and shell
+  Model::Face operator()()
+  {
+    std::vector<Loop> loops;
+    const Use_order order(m_result.model, m_surface);
+    for(TopoDS_Iterator wire(m_face); wire.More(); wire.Next())
+      if(wire.Value().ShapeType() == TopAbs_WIRE) {
+        const Loop uses = uses_of(wire.Value());
+        for(Loop& loop : order(uses)) {
+          m_result.number_of_removed_slits -= loop.size(); // each two of its uses are counted below
+          loops.push_back(std::move(loop));
+        }
+        m_result.number_of_removed_slits += uses.size();
+      }
+    if(loops.empty())
+      throw Parametric_surface_mesh_error("the face has no boundary");
+    Loop_closer close(m_result.model, m_surface, m_vertex_tolerances, least_tolerance * m_result.diagonal,
+                      distrusted_gap * m_result.diagonal);
+    close(loops);
+    for(const Loop& loop : loops)
+      for(const Edge_use& use : loop)
+        measure_gap(use);
+    keep_gaps();
+    return Model::Face{m_surface, std::move(loops)};
+  }
+
+private:
+  Loop uses_of(const TopoDS_Shape& wire)
+  {
+    Loop result;
+    for(TopoDS_Iterator i(wire); i.More(); i.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(i.Value());
+      if(edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED)
+        continue; // inside the face, or outside of it: no boundary
+      const std::size_t number = std::size_t(m_edges.FindIndex(edge)) - 1;
+      if(m_places[number].is_point)
+        continue;
+      const Edge_use use{number, edge.Orientation() == TopAbs_REVERSED, domain_curve(edge, number)};
+      if(!is_no_boundary(use))
+        append_in_place(use, result);
+    }
+    return result;
+  }
+
+  // A use of an edge becomes uses of those in its place.
+  void append_in_place(const Edge_use& use, Loop& result) const
+  {
+    if(m_places[use.edge].pieces.empty())
+      result.push_back(use);
+    for(const auto& piece : m_places[use.edge].pieces)
+      result.push_back({piece.edge, use.is_reversed != piece.match.is_reversed(), piece.match.reparametrized(use.curve)});
+  }
+
+  // A pole of a sphere is none in its chart. Elsewhere, an edge that claims to be collapsed and is not: Open CASCADE's
+  // readers put such edges between curves that are periods apart, and Loop_closer brings these together.
+  bool is_no_boundary(const Edge_use& use) const
+  {
+    const auto& edge = m_result.model.edges()[use.edge];
+    return edge.is_collapsed
+           && (m_chart || gap(use.edge, use.curve) > (std::max)(distrusted_gap * m_result.diagonal, 10 * edge.tolerance));
+  }
+
+  Curve charted(const Curve& curve) const { return m_chart ? m_chart->curve(m_original, curve) : curve; }
+
+  // The curve of the file, if it lies where the edge is; else a new one, if that does.
+  Curve domain_curve(const TopoDS_Edge& edge, std::size_t number)
+  {
+    std::optional<Curve> curve = convert_domain_curve<Kernel>(edge, m_face);
+    if(curve)
+      curve = charted(*curve);
+    const double gap = curve ? this->gap(number, *curve) : 0;
+    if(curve && !(gap > distrusted(number)))
+      return *curve;
+    if(!BRep_Tool::IsClosed(edge, m_face)) {
+      std::optional<Curve> other = project_domain_curve<Kernel>(edge, m_face);
+      if(other)
+        other = charted(*other);
+      if(other && (!curve || this->gap(number, *other) < 0.5 * gap)) {
+        ++m_result.number_of_rebuilt_curves;
+        return *other;
+      }
+    }
+    if(!curve)
+      throw Parametric_surface_mesh_error("edge " + std::to_string(number) + " has no curve in the domain, and cannot be projected");
+    return *curve;
+  }
+
+  double tolerance(std::size_t edge) const
+  {
+    const auto& e = m_result.model.edges()[edge];
+    return (std::max)({e.tolerance, m_vertex_tolerances[e.source], m_vertex_tolerances[e.target]});
+  }
+
+  double distrusted(std::size_t edge) const
+  {
+    return (std::max)(distrusted_gap * m_result.diagonal, 10 * tolerance(edge));
+  }
+
+  // The largest distance of the image of a curve from its edge in space, at the same parameters, and its vertices.
+  double gap(std::size_t number, const Curve& curve) const
+  {
+    const auto& edge = m_result.model.edges()[number];
+    const auto& vertices = m_result.model.vertices();
+    double squared = 0;
+    for(int i = 0; i <= number_of_samples; ++i) {
+      const double t = double(i) / number_of_samples;
+      const auto uv = curve.point(t);
+      const Point_3 p = m_surface.point(uv.x(), uv.y());
+      double d = 0;
+      if(i == 0 || edge.is_collapsed)
+        d = squared_distance(p, vertices[edge.source]);
+      else if(i == number_of_samples)
+        d = squared_distance(p, vertices[edge.target]);
+      else if(edge.curve)
+        d = squared_distance(p, edge.curve->point(t));
+      squared = d <= squared ? squared : d; // also if it is not a number
+    }
+    return std::sqrt(squared);
+  }
+
+  void measure_gap(const Edge_use& use)
+  {
+    const double distance = gap(use.edge, use.curve);
+    if(!(distance <= refused_gap * m_result.diagonal))
+      throw Parametric_surface_mesh_error("edge " + std::to_string(use.edge) + ": the image of its curve in the domain is "
+                                          + describe(distance) + " away from the edge; its tolerance is "
+                                          + describe(m_result.model.edges()[use.edge].tolerance));
+    m_gaps.emplace_back(use.edge, distance);
+  }
+
+  // What was measured is allowed, and reported if the file promises less.
+  void keep_gaps()
+  {
+    for(const auto& gap : m_gaps) {
+      auto& edge = m_result.model.edges()[gap.first];
+      m_result.largest_gap = (std::max)(m_result.largest_gap, gap.second);
+      if(gap.first < m_result.number_of_shape_edges && gap.second > 1.01 * tolerance(gap.first))
+        m_result.gaps.push_back({gap.first, m_number, gap.second, tolerance(gap.first)});
+      edge.tolerance = (std::max)(edge.tolerance, 1.01 * gap.second);
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_FACE_BUILDER_H

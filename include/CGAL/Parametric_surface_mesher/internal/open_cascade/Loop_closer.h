@@ -1,0 +1,290 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_LOOP_CLOSER_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_LOOP_CLOSER_H
+
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
+#include <CGAL/Parametric_surface_model_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
+
+#include <CGAL/Open_cascade_surface_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_curves.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Makes the curves of a loop meet exactly in the domain of a face. The curves of a file meet up to tolerances, up to whole
+// periods of the surface, and at poles whose collapsed edge is missing not at all.
+class Loop_closer
+{
+  typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
+  typedef Model::Edge_use Edge_use;
+  typedef Model::Loop Loop;
+  typedef Model::Curve Curve;
+  typedef Model::Geom_traits Kernel;
+  typedef Kernel::Point_2 Point_2;
+  typedef Kernel::Vector_2 Vector_2;
+
+  static constexpr double tolerance_factor = 10; // over the tolerances of the file
+  static const int number_of_samples = 8;
+
+  Model& m_model;
+  const Open_cascade_surface_3& m_surface;
+  const std::vector<double>& m_vertex_tolerances;
+  double m_least_tolerance, m_widest_gap;
+  double m_tolerance_u = 0, m_tolerance_v = 0; // in the domain, of a length of 1 in space
+  Bbox_2 m_box;
+  std::map<std::size_t, std::vector<Point_2>> m_corners; // of each vertex
+
+public:
+  // Distances in space: points closer than `least_tolerance` are one whatever the tolerance of their vertex is, and ends of
+  // curves that follow each other are joined if they are closer than `widest_gap`.
+  Loop_closer(Model& model, const Open_cascade_surface_3& surface, const std::vector<double>& vertex_tolerances,
+              double least_tolerance, double widest_gap)
+    : m_model(model), m_surface(surface), m_vertex_tolerances(vertex_tolerances), m_least_tolerance(least_tolerance),
+      m_widest_gap(widest_gap)
+  {}
+
+  // \pre the uses of each loop follow each other, by their vertices
+  void operator()(std::vector<Loop>& loops)
+  {
+    for(Loop& loop : loops)
+      for(Edge_use& use : loop)
+        straighten_collapsed(use);
+    for(Loop& loop : loops)
+      remove_periods(loop);
+    measure(loops);
+    for(Loop& loop : loops) {
+      remove_short_collapsed(loop);
+      close(loop);
+    }
+    put_outer_loop_first(loops);
+    move_holes_inside(loops);
+  }
+
+private:
+  const Model::Edge& edge(const Edge_use& use) const { return m_model.edges()[use.edge]; }
+  std::size_t end_vertex(const Edge_use& use) const { return use.is_reversed ? edge(use).source : edge(use).target; }
+
+  static Point_2 begin_point(const Edge_use& use) { return use.is_reversed ? use.curve.target() : use.curve.source(); }
+  static Point_2 end_point(const Edge_use& use) { return use.is_reversed ? use.curve.source() : use.curve.target(); }
+
+  static void set_begin_point(Edge_use& use, const Point_2& p)
+  {
+    use.is_reversed ? use.curve.set_end_points(use.curve.source(), p) : use.curve.set_end_points(p, use.curve.target());
+  }
+
+  static void set_end_point(Edge_use& use, const Point_2& p)
+  {
+    use.is_reversed ? use.curve.set_end_points(p, use.curve.target()) : use.curve.set_end_points(use.curve.source(), p);
+  }
+
+  // A collapsed side runs exactly along u or v, if it nearly does.
+  void straighten_collapsed(Edge_use& use) const
+  {
+    if(!edge(use).is_collapsed)
+      return;
+    const Point_2 p = use.curve.source(), q = use.curve.target();
+    const double du = std::fabs(q.x() - p.x()), dv = std::fabs(q.y() - p.y());
+    use.curve = Curve::segment(p, dv < 1e-6 * du   ? Point_2(q.x(), p.y())
+                                                 : du < 1e-6 * dv ? Point_2(p.x(), q.y())
+                                                                  : q);
+  }
+
+  static double periods(double difference, double period) { return period > 0 ? std::round(difference / period) : 0; }
+
+  // By how many periods `q` is away from `p`. At a pole, where lengths in the domain mean nothing, by none.
+  Vector_2 periods_between(const Point_2& p, const Point_2& q) const
+  {
+    if(!(m_surface.u_period() > 0 || m_surface.v_period() > 0))
+      return Vector_2(0, 0);
+    const auto jet = m_surface.jet(p.x(), p.y());
+    const bool is_pole_u = jet.du.squared_length() < 1e-12 * jet.dv.squared_length(),
+               is_pole_v = jet.dv.squared_length() < 1e-12 * jet.du.squared_length();
+    return Vector_2(is_pole_u ? 0 : m_surface.u_period() * periods(q.x() - p.x(), m_surface.u_period()),
+                    is_pole_v ? 0 : m_surface.v_period() * periods(q.y() - p.y(), m_surface.v_period()));
+  }
+
+  void remove_periods(Loop& loop) const
+  {
+    for(std::size_t i = 0; i + 1 < loop.size(); ++i) {
+      const Vector_2 d = periods_between(end_point(loop[i]), begin_point(loop[i + 1]));
+      if(d != Vector_2(0, 0))
+        loop[i + 1].curve = translated(loop[i + 1].curve, -d);
+    }
+    if(periods_between(end_point(loop.back()), begin_point(loop.front())) != Vector_2(0, 0))
+      throw Parametric_surface_mesh_error("a loop runs once around a periodic surface, from (u,v) = "
+                                          + describe(begin_point(loop.front())) + " to "
+                                          + describe(end_point(loop.back())) + ", and there is no seam");
+  }
+
+  // How far, in the domain, points are apart that are 1 apart in space: the mean over the boundary.
+  void measure(const std::vector<Loop>& loops)
+  {
+    const auto curve = [](const Edge_use& use) -> const auto& { return use.curve; };
+    m_box = domain_box(loops, curve);
+    double length_u = 0, length_v = 0, n = 0;
+    for(const Loop& loop : loops)
+      for(const Edge_use& use : loop)
+        for(double t : {0.25, 0.5, 0.75}) {
+          const Point_2 p = use.curve.point(t);
+          const auto jet = m_surface.jet(p.x(), p.y());
+          length_u += std::sqrt(jet.du.squared_length());
+          length_v += std::sqrt(jet.dv.squared_length());
+          ++n;
+        }
+    m_tolerance_u = length_u > 0 ? n / length_u : 0;
+    m_tolerance_v = length_v > 0 ? n / length_v : 0;
+  }
+
+  double tolerance(std::size_t vertex) const
+  {
+    return (std::max)(tolerance_factor * m_vertex_tolerances[vertex], m_least_tolerance);
+  }
+
+  bool are_close(const Point_2& p, const Point_2& q, double tolerance) const
+  {
+    const auto limit = [=](double per_length, double span) {
+      return (std::min)((std::max)(tolerance * per_length, 1e-9 * span), 1e-2 * span);
+    };
+    return std::fabs(p.x() - q.x()) <= limit(m_tolerance_u, m_box.x_span())
+           && std::fabs(p.y() - q.y()) <= limit(m_tolerance_v, m_box.y_span());
+  }
+
+  // A collapsed side as short as a tolerance is no side.
+  void remove_short_collapsed(Loop& loop) const
+  {
+    const auto is_short = [this](const Edge_use& use) {
+      return edge(use).is_collapsed && are_close(use.curve.source(), use.curve.target(), tolerance(edge(use).source));
+    };
+    loop.erase(std::remove_if(loop.begin(), loop.end(), is_short), loop.end());
+    if(loop.empty())
+      throw Parametric_surface_mesh_error("a loop is a point in space");
+  }
+
+  void close(Loop& loop)
+  {
+    Loop result;
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      result.push_back(loop[i]);
+      Edge_use& next = loop[(i + 1) % loop.size()];
+      join(result, i + 1 < loop.size() ? next : result.front());
+    }
+    loop.swap(result);
+  }
+
+  // Joins the last use of `loop` to `next`, by an edge if there is a pole between them.
+  void join(Loop& loop, Edge_use& next)
+  {
+    const std::size_t vertex = end_vertex(loop.back());
+    Point_2 p = end_point(loop.back()), q = begin_point(next);
+    if(!are_close(p, q, tolerance(vertex)) && is_pole(p, q, vertex)) {
+      p = corner(vertex, p);
+      q = corner(vertex, q);
+      set_end_point(loop.back(), p);
+      set_begin_point(next, q);
+      const std::size_t number = m_model.add_edge(vertex, vertex, true);
+      loop.push_back({number, false, Curve::segment(p, q)});
+      straighten_collapsed(loop.back());
+      set_begin_point(next, end_point(loop.back()));
+      return;
+    }
+    check_gap(p, q, vertex);
+    const Point_2 r = corner(vertex, rank(next) > rank(loop.back()) ? q : p);
+    set_end_point(loop.back(), r);
+    set_begin_point(next, r);
+  }
+
+  // of the curve whose end is kept
+  int rank(const Edge_use& use) const { return edge(use).is_collapsed ? 2 : use.curve.is_straight() ? 1 : 0; }
+
+  // Loops that touch in a vertex have exactly the same point there.
+  Point_2 corner(std::size_t vertex, const Point_2& p)
+  {
+    for(const Point_2& q : m_corners[vertex])
+      if(are_close(p, q, tolerance(vertex)))
+        return q;
+    m_corners[vertex].push_back(p);
+    return p;
+  }
+
+  // whether the line between two domain points is one point in space
+  bool is_pole(const Point_2& p, const Point_2& q, std::size_t vertex) const
+  {
+    const double squared_tolerance = square(tolerance(vertex));
+    for(int i = 0; i <= number_of_samples; ++i) {
+      const Point_2 x = p + (double(i) / number_of_samples) * (q - p);
+      if(!(squared_distance(m_surface.point(x.x(), x.y()), m_model.vertices()[vertex]) <= squared_tolerance))
+        return false;
+    }
+    return true;
+  }
+
+  void check_gap(const Point_2& p, const Point_2& q, std::size_t vertex) const
+  {
+    const double gap = std::sqrt(squared_distance(m_surface.point(p.x(), p.y()), m_surface.point(q.x(), q.y())));
+    if(!(gap <= (std::max)(tolerance(vertex), m_widest_gap)) || !are_close(p, q, (std::max)(tolerance(vertex), 1e3 * gap)))
+      throw Parametric_surface_mesh_error("a loop is open in the domain, between (u,v) = " + describe(p) + " and "
+                                          + describe(q) + ", " + describe(gap) + " apart in space");
+  }
+
+  static double double_area(const Loop& loop)
+  {
+    double result = 0;
+    for(const Edge_use& use : loop)
+      result += (use.is_reversed ? -1 : 1) * double_area_seen_from(loop.front().curve.source(), use.curve);
+    return result;
+  }
+
+  static void put_outer_loop_first(std::vector<Loop>& loops)
+  {
+    std::size_t outer = 0;
+    for(std::size_t l = 1; l < loops.size(); ++l)
+      if(std::fabs(double_area(loops[l])) > std::fabs(double_area(loops[outer])))
+        outer = l;
+    std::rotate(loops.begin(), loops.begin() + outer, loops.begin() + outer + 1);
+  }
+
+  void move_holes_inside(std::vector<Loop>& loops) const
+  {
+    const auto box = [](const Loop& loop) {
+      return loop_box(loop, [](const Edge_use& use) -> const auto& { return use.curve; });
+    };
+    const Bbox_2 outer = box(loops.front());
+    for(std::size_t l = 1; l < loops.size(); ++l) {
+      const Bbox_2 inner = box(loops[l]);
+      const Vector_2 d(shift(inner.xmin(), inner.xmax(), outer.xmin(), outer.xmax(), m_surface.u_period()),
+                       shift(inner.ymin(), inner.ymax(), outer.ymin(), outer.ymax(), m_surface.v_period()));
+      if(d != Vector_2(0, 0))
+        for(Edge_use& use : loops[l])
+          use.curve = translated(use.curve, d);
+    }
+  }
+
+  // the periods that bring the middle of one range into another one, or 0
+  static double shift(double min, double max, double outer_min, double outer_max, double period)
+  {
+    const double middle = 0.5 * (min + max);
+    if(!(period > 0) || (outer_min <= middle && middle <= outer_max))
+      return 0;
+    const double result = period * std::ceil((outer_min - middle) / period);
+    return middle + result <= outer_max ? result : 0;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_LOOP_CLOSER_H

@@ -1,0 +1,265 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_SHAPE_MODEL_BUILDER_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_SHAPE_MODEL_BUILDER_H
+
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
+#include <CGAL/orient_faces.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
+
+#include <CGAL/Open_cascade_model_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Face_builder.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Narrow_face_closer.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_curves.h>
+
+#include <BRepBndLib.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Builds the model of a shape, face by face; those that cannot be built are left out.
+class Shape_model_builder
+{
+  typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
+  typedef Model::Geom_traits Kernel;
+
+  Open_cascade_model_3 m_result;
+  TopTools_IndexedMapOfShape m_vertices, m_edges, m_faces;
+  std::vector<double> m_vertex_tolerances;
+  std::vector<Edge_place> m_places; // of the edges of the shape
+  std::set<std::size_t> m_closed_up; // faces of the shape
+
+public:
+  explicit Shape_model_builder(const TopoDS_Shape& shape)
+  {
+    if(shape.IsNull())
+      throw Parametric_surface_mesh_error("the shape is empty");
+    TopExp::MapShapes(shape, TopAbs_VERTEX, m_vertices);
+    TopExp::MapShapes(shape, TopAbs_EDGE, m_edges);
+    TopExp::MapShapes(shape, TopAbs_FACE, m_faces);
+    m_result.number_of_shape_faces = std::size_t(m_faces.Extent());
+    m_result.number_of_shape_edges = std::size_t(m_edges.Extent());
+    m_result.diagonal = diagonal();
+  }
+
+  // Faces no wider than a share of the diagonal are closed up.
+  Open_cascade_model_3 operator()(const TopoDS_Shape& shape, double closed_up_width)
+  {
+    for(int i = 1; i <= m_vertices.Extent(); ++i)
+      add_vertex(TopoDS::Vertex(m_vertices(i)));
+    for(int i = 1; i <= m_edges.Extent(); ++i)
+      add_edge(TopoDS::Edge(m_edges(i).Oriented(TopAbs_FORWARD)));
+    close_narrow_faces(closed_up_width * m_result.diagonal);
+    list_inner_edges();
+    add_shells(shape);
+    orient();
+    return std::move(m_result);
+  }
+
+private:
+  Model& model() { return m_result.model; }
+
+  // A face whose curves in the domain are missing may have an infinite box: then its edges must do.
+  double diagonal() const
+  {
+    Bnd_Box box;
+    for(const TopTools_IndexedMapOfShape* shapes : {&m_edges, &m_faces})
+      for(int i = 1; i <= shapes->Extent(); ++i) {
+        Bnd_Box part;
+        BRepBndLib::Add((*shapes)(i), part, false);
+        if(!part.IsVoid() && !part.IsOpen() && part.SquareExtent() < 1e30)
+          box.Add(part);
+      }
+    if(box.IsVoid() || !(box.SquareExtent() > 0))
+      throw Parametric_surface_mesh_error("the shape has no extent");
+    return std::sqrt(box.SquareExtent());
+  }
+
+  std::size_t add_vertex(const TopoDS_Vertex& vertex)
+  {
+    m_vertex_tolerances.push_back(BRep_Tool::Tolerance(vertex));
+    return model().add_vertex(to_point<Kernel>(BRep_Tool::Pnt(vertex).XYZ()));
+  }
+
+  void add_edge(const TopoDS_Edge& edge)
+  {
+    Model::Edge result;
+    const int source = m_vertices.FindIndex(TopExp::FirstVertex(edge)), target = m_vertices.FindIndex(TopExp::LastVertex(edge));
+    result.is_collapsed = source == target && BRep_Tool::Degenerated(edge);
+    if(!result.is_collapsed)
+      result.curve = guarded([&] { return convert_space_curve<Kernel>(edge); });
+    result.tolerance = BRep_Tool::Tolerance(edge);
+    if(source > 0 && target > 0) {
+      result.source = std::size_t(source - 1);
+      result.target = std::size_t(target - 1);
+    }
+    else
+      result.source = result.target = add_vertex_on(result);
+    model().add_edge(std::move(result));
+  }
+
+  // An edge without vertices must be a closed curve.
+  std::size_t add_vertex_on(const Model::Edge& edge)
+  {
+    m_vertex_tolerances.push_back(edge.tolerance);
+    return model().add_vertex(edge.curve ? edge.curve->point(0) : Model::Point_3(0, 0, 0));
+  }
+
+  void close_narrow_faces(double width)
+  {
+    const Narrow_face_closer closer(model(), m_edges, m_faces, width);
+    m_result.closed_up = closer.closed_up();
+    for(const auto& face : m_result.closed_up)
+      m_closed_up.insert(face.shape_face);
+    for(std::size_t v = 0; v < m_vertex_tolerances.size(); ++v)
+      move_vertex(v, closer.vertex_place(v));
+    for(std::size_t e = 0; e < m_result.number_of_shape_edges; ++e) {
+      m_places.push_back(closer.edge_place(e));
+      move_edge(e, closer);
+    }
+  }
+
+  void move_vertex(std::size_t v, std::size_t place)
+  {
+    const double distance = std::sqrt(squared_distance(model().vertices()[v], model().vertices()[place]));
+    m_vertex_tolerances[place] = (std::max)(m_vertex_tolerances[place], m_vertex_tolerances[v] + distance);
+  }
+
+  // The edge in the place of others is as inexact as it is far from them.
+  void move_edge(std::size_t e, const Narrow_face_closer& closer)
+  {
+    Model::Edge& edge = model().edges()[e];
+    edge.source = closer.vertex_place(edge.source);
+    edge.target = closer.vertex_place(edge.target);
+    m_result.model_edges.emplace_back();
+    for(const auto& piece : m_places[e].pieces) {
+      double& tolerance = model().edges()[piece.edge].tolerance;
+      tolerance = (std::max)(tolerance, edge.tolerance + piece.match.distance());
+      m_result.model_edges.back().push_back(piece.edge);
+    }
+    if(m_places[e].pieces.empty() && !m_places[e].is_point)
+      m_result.model_edges.back().push_back(e);
+  }
+
+  void list_inner_edges()
+  {
+    for(int f = 1; f <= m_faces.Extent(); ++f)
+      for(TopExp_Explorer edge(m_faces(f).Oriented(TopAbs_FORWARD), TopAbs_EDGE); edge.More(); edge.Next())
+        if(!is_on_boundary(edge.Current()))
+          m_result.inner_edges.push_back({std::size_t(m_edges.FindIndex(edge.Current())) - 1, std::size_t(f) - 1});
+  }
+
+  // whether an edge, as a face has it, is a part of the boundary
+  static bool is_on_boundary(const TopoDS_Shape& edge)
+  {
+    return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
+  }
+
+  // A face that two solids share is in the shells of both.
+  void add_shells(const TopoDS_Shape& shape)
+  {
+    std::size_t number = 0;
+    TopTools_MapOfShape shells;
+    for(TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next())
+      if(shells.Add(shell.Current())) {
+        TopTools_ListOfShape faces;
+        for(TopExp_Explorer face(shell.Current(), TopAbs_FACE); face.More(); face.Next())
+          faces.Append(face.Current());
+        add_shell(faces, number++);
+      }
+    TopTools_MapOfShape free_faces;
+    TopTools_ListOfShape faces;
+    for(TopExp_Explorer face(shape, TopAbs_FACE, TopAbs_SHELL); face.More(); face.Next())
+      if(free_faces.Add(face.Current()))
+        faces.Append(face.Current());
+    add_shell(faces, number);
+  }
+
+  void add_shell(const TopTools_ListOfShape& faces, std::size_t shell)
+  {
+    std::map<int, int> numbers_of_uses; // of edges
+    for(const TopoDS_Shape& face : faces) {
+      for(TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
+        if(is_on_boundary(edge.Current()) && !BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
+          ++numbers_of_uses[m_edges.FindIndex(edge.Current())];
+      if(m_closed_up.count(std::size_t(m_faces.FindIndex(face)) - 1) == 0)
+        add_face(TopoDS::Face(face), shell);
+    }
+    for(const auto& edge : numbers_of_uses)
+      m_result.is_shape_closed = m_result.is_shape_closed && edge.second == 2;
+  }
+
+  void add_face(const TopoDS_Face& face, std::size_t shell)
+  {
+    const std::size_t number = std::size_t(m_faces.FindIndex(face)) - 1;
+    try {
+      const auto build = [&] { return Face_builder(m_result, m_edges, m_places, m_vertex_tolerances, face, number)(); };
+      Model::Face result = guarded(build);
+      result.is_reversed = face.Orientation() == TopAbs_REVERSED;
+      result.shell = shell;
+      model().add_face(std::move(result));
+      m_result.shape_faces.push_back(number);
+    }
+    catch(const std::exception& error) {
+      if(m_result.left_out.empty() || m_result.left_out.back().shape_face != number)
+        m_result.left_out.push_back({number, error.what()});
+    }
+  }
+
+  // Where neighbours in a shell face to different sides, faces are turned. A shell that has no two sides stays as it is.
+  void orient()
+  {
+    if(are_oriented())
+      return;
+    Model oriented = model();
+    try {
+      orient_faces(oriented);
+    }
+    catch(const Parametric_surface_mesh_error&) {
+      return;
+    }
+    for(std::size_t f = 0; f < oriented.faces().size(); ++f)
+      m_result.number_of_reversed_faces += oriented.faces()[f].is_reversed != model().faces()[f].is_reversed;
+    model() = std::move(oriented);
+  }
+
+  bool are_oriented()
+  {
+    const Model_uses<Model> uses(model());
+    for(std::size_t e : uses.order())
+      if(!model().edges()[e].is_collapsed)
+        for(const auto& shell : uses.by_shell(e))
+          if(shell.second.size() == 2 && uses.is_face_left(shell.second[0]) == uses.is_face_left(shell.second[1]))
+            return false;
+    return true;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_SHAPE_MODEL_BUILDER_H

@@ -1,0 +1,138 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_ORDER_USES_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_ORDER_USES_H
+
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_model_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
+
+#include <CGAL/Open_cascade_surface_3.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Puts the edge uses of a wire, which a file may store in any order, one after the other.
+class Use_order
+{
+  typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
+  typedef Model::Edge_use Edge_use;
+  typedef Model::Loop Loop;
+  typedef Model::Geom_traits::Point_2 Point_2;
+
+  const Model& m_model;
+  const Open_cascade_surface_3& m_surface;
+
+public:
+  Use_order(const Model& model, const Open_cascade_surface_3& surface) : m_model(model), m_surface(surface) {}
+
+  // Returns closed loops: one, unless slits were removed that joined several.
+  std::vector<Loop> operator()(Loop uses) const
+  {
+    remove_slits(uses);
+    std::vector<Loop> result;
+    while(!uses.empty())
+      result.push_back(take_loop(uses));
+    return result;
+  }
+
+private:
+  std::size_t begin_vertex(const Edge_use& use) const
+  {
+    return use.is_reversed ? m_model.edges()[use.edge].target : m_model.edges()[use.edge].source;
+  }
+
+  std::size_t end_vertex(const Edge_use& use) const
+  {
+    return use.is_reversed ? m_model.edges()[use.edge].source : m_model.edges()[use.edge].target;
+  }
+
+  static Point_2 begin_point(const Edge_use& use) { return use.is_reversed ? use.curve.target() : use.curve.source(); }
+  static Point_2 end_point(const Edge_use& use) { return use.is_reversed ? use.curve.source() : use.curve.target(); }
+
+  // An edge that is run through there and back on the same curve bounds nothing.
+  static void remove_slits(Loop& uses)
+  {
+    for(std::size_t i = 0; i < uses.size(); ++i)
+      for(std::size_t k = i + 1; k < uses.size(); ++k)
+        if(are_slit(uses[i], uses[k])) {
+          uses.erase(uses.begin() + k);
+          uses.erase(uses.begin() + i);
+          --i;
+          break;
+        }
+  }
+
+  static bool are_slit(const Edge_use& a, const Edge_use& b)
+  {
+    if(a.edge != b.edge || a.is_reversed == b.is_reversed)
+      return false;
+    const double squared_size = squared_distance(a.curve.source(), a.curve.target())
+                                + squared_distance(a.curve.source(), a.curve.point(0.5));
+    for(double t : {0., 0.5, 1.})
+      if(squared_distance(a.curve.point(t), b.curve.point(t)) > 1e-12 * squared_size)
+        return false;
+    return true;
+  }
+
+  Loop take_loop(Loop& uses) const
+  {
+    Loop loop(1, uses.front());
+    uses.erase(uses.begin());
+    std::size_t place = 0; // of the use that followed the last one
+    for(;;) {
+      const std::size_t next = find_next(loop.back(), uses, place);
+      if(next == uses.size())
+        break;
+      loop.push_back(uses[next]);
+      uses.erase(uses.begin() + next);
+      place = next;
+    }
+    if(end_vertex(loop.back()) != begin_vertex(loop.front()))
+      throw Parametric_surface_mesh_error("a loop is open: it begins at vertex " + std::to_string(begin_vertex(loop.front()))
+                                          + " and ends at vertex " + std::to_string(end_vertex(loop.back())));
+    return loop;
+  }
+
+  // The use that begins at the vertex where `use` ends, and closest to it in the domain; of several, the first from `place`.
+  std::size_t find_next(const Edge_use& use, const Loop& uses, std::size_t place) const
+  {
+    std::size_t best = uses.size();
+    double least = 0;
+    for(std::size_t k = 0; k < uses.size(); ++k) {
+      const std::size_t i = (place + k) % uses.size();
+      if(begin_vertex(uses[i]) != end_vertex(use))
+        continue;
+      const double d = domain_distance(end_point(use), begin_point(uses[i]));
+      if(best == uses.size() || d < 0.999 * least) {
+        best = i;
+        least = d;
+      }
+    }
+    return best;
+  }
+
+  // Up to whole periods; of two that are equal so, the one without periods is closer.
+  double domain_distance(const Point_2& p, const Point_2& q) const
+  {
+    const double du = q.x() - p.x(), dv = q.y() - p.y();
+    return std::fabs(remainder(du, m_surface.u_period())) + std::fabs(remainder(dv, m_surface.v_period()))
+           + 1e-3 * (std::fabs(du) + std::fabs(dv));
+  }
+
+  static double remainder(double x, double period) { return period > 0 ? std::remainder(x, period) : x; }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_ORDER_USES_H

@@ -1,0 +1,86 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_INDEXED_MESH_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_INDEXED_MESH_H
+
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Partial_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/for_each_index.h>
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The mesh of one or several patches before it goes to the user's data structure: points that parts share, those of each
+// part, and copies of shared ones, in this order.
+template <class Kernel>
+struct Indexed_mesh
+{
+  typedef typename Kernel::Point_2 Point_2;
+  typedef typename Kernel::Point_3 Point_3;
+  typedef Partial_mesh<Kernel> Part;
+
+  std::vector<Point_3> points;        // that parts share: of the divided boundaries, and of cuts
+  std::vector<Point_2> domain_points; // of a vertex on several patches: in one of their domains
+  std::vector<Part> parts;
+  std::vector<std::size_t> copies;    // of shared points
+
+  // for each shell the pairs of boundary vertices that are joined by an edge already, smaller index first
+  typedef std::set<std::pair<std::size_t, std::size_t>> Chords;
+  std::map<std::size_t, Chords> chords;
+
+  bool keeps_domain_points = false; // of inner vertices
+  bool keeps_corner_points = false;
+
+private:
+  std::size_t m_number_of_own_points = 0, m_number_of_faces = 0, m_number_of_edges = 0; // of the parts
+
+public:
+  std::size_t number_of_points() const { return points.size() + m_number_of_own_points + copies.size(); }
+  std::size_t number_of_faces() const { return m_number_of_faces; }
+  std::size_t number_of_inner_edges() const { return m_number_of_edges; }
+
+  void append(Part part)
+  {
+    part.first_point = m_number_of_own_points;
+    part.first_face = m_number_of_faces;
+    part.first_edge = m_number_of_edges;
+    m_number_of_own_points += part.points.size();
+    m_number_of_faces += part.faces.size();
+    m_number_of_edges += part.number_of_edges;
+    parts.push_back(std::move(part));
+  }
+
+  // To be called once, when all shared points and all parts are there.
+  template <class ConcurrencyTag>
+  void finish()
+  {
+    const std::size_t largest_index = (std::numeric_limits<typename Part::Index>::max)();
+    if(number_of_points() >= Part::first_own_point || 3 * number_of_faces() > largest_index / 2)
+      throw Parametric_surface_mesh_error("the mesh has too many triangles for indices of 32 bits");
+    for_each_index<ConcurrencyTag>(parts.size(), [this](std::size_t i) {
+      parts[i].first_point += points.size();
+      parts[i].take_place();
+    });
+  }
+
+  // returns the index of a new copy of a shared point
+  std::size_t copy_of(std::size_t vertex)
+  {
+    copies.push_back(vertex);
+    return number_of_points() - 1;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_INDEXED_MESH_H

@@ -1,0 +1,189 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PARTITION_PATCH_MESHER_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PARTITION_PATCH_MESHER_H
+
+#include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/charts/Charted_boundary.h>
+#include <CGAL/Parametric_surface_mesher/internal/charts/Charted_surface_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Patch_improvement.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Chord_splitter.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Partial_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Patch_collector.h>
+#include <CGAL/Parametric_surface_mesher/internal/refinement/Patch_refinement.h>
+#include <CGAL/Parametric_surface_mesher/internal/refinement/Pole_ring.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/Patch_evaluator.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Phase_timer.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/triangulate_boundary.h>
+#include <CGAL/Parametric_surface_oracle_3.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The criteria as seen from a chart: the sizing field takes points of the domain.
+template <class Criteria, class Chart>
+Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
+{
+  Criteria result = criteria;
+  if(criteria.sizing_field() && !chart.is_identity())
+    result.set_sizing_field([field = criteria.sizing_field(), chart](double x, double y) {
+      const auto uv = chart.domain_point(typename Chart::Point_2(x, y));
+      return field(uv.x(), uv.y());
+    });
+  return result;
+}
+
+// From the divided boundary of a patch, or of a part of one, to its triangles: triangulation, refinement, improvement. A patch
+// with poles is meshed in the coordinates of a chart. Patches know nothing of each other until they are collected.
+template <class Oracle, class Criteria, class Visitor>
+class Patch_mesher
+{
+public:
+  typedef typename Oracle::Geom_traits Kernel;
+  typedef Charted_surface_3<typename Oracle::Surface> Surface;
+  typedef Parametric_surface_oracle_3<Surface, typename Oracle::Metric_field> Charted_oracle;
+  typedef Patch_evaluator<Charted_oracle> Evaluator;
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef Patch_refinement<Evaluator, Criteria, Visitor> Refinement;
+
+private:
+  const Surface m_surface;
+  const Charted_oracle m_oracle;
+  const Criteria m_criteria;
+  const Charted_boundary<Kernel>& m_boundary; // of the patch
+  const Boundary_loops<Kernel> m_loops;       // in the chart
+  const Evaluator m_evaluator;
+  Visitor& m_visitor;
+  Triangulation m_triangulation;
+  std::size_t m_number_of_boundary_vertices = 0;
+  Refinement m_refine;
+  const bool m_is_part;
+  bool m_has_taken_over = false; // a triangulation of the boundary
+  Parametric_surface_mesh_report m_report;
+
+public:
+  // `boundary`: of the patch; it stays where it is. `loops`: of the patch or the part, in the chart
+  // \pre no segments of the loops cross
+  Patch_mesher(const Oracle& oracle, const Criteria& criteria, const Charted_boundary<Kernel>& boundary,
+               Boundary_loops<Kernel> loops, bool is_part, Visitor& visitor)
+    : m_surface(oracle.surface(), boundary.chart()), m_oracle(m_surface, oracle.metric(), oracle.singular_points()),
+      m_criteria(chart_criteria(criteria, boundary.chart())), m_boundary(boundary), m_loops(std::move(loops)),
+      m_evaluator(m_oracle, m_criteria, boundary.box()), m_visitor(visitor),
+      m_refine(m_triangulation, m_evaluator, m_criteria, visitor), m_is_part(is_part)
+  {}
+
+  // it refers to itself
+  Patch_mesher(const Patch_mesher&) = delete;
+  Patch_mesher& operator=(const Patch_mesher&) = delete;
+
+  void operator()()
+  {
+    triangulate_and_refine([this](auto& triangulate) { triangulate(m_evaluator); });
+  }
+
+  // `given`: of the loops
+  void operator()(Boundary_triangulation<Kernel> given)
+  {
+    triangulate_and_refine([&](auto& triangulate) { triangulate(m_evaluator, std::move(given)); });
+  }
+
+  // \pre there is a triangulation
+  void refine_and_improve(bool has_front)
+  {
+    Patch_improvement<Evaluator, Refinement> improve(m_triangulation, m_evaluator, m_criteria, m_report.seconds.improvement);
+    in_phase("refinement", m_report.seconds.refinement, [&] {
+      if(has_front)
+        advance_front();
+      m_refine.refine_by_shape();
+    });
+    if(improve.has_smoothing() && !m_refine.is_stopped())
+      in_phase("smoothing", m_report.seconds.improvement, [&] { improve.smooth(); });
+    in_phase("refinement", m_report.seconds.refinement, [&] { m_refine(); });
+    m_report.number_of_replaced_tensors += m_refine.number_of_replaced_tensors();
+    if(m_refine.is_stopped())
+      return;
+    in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_refine.is_bad()); });
+    if(improve.has_polishing())
+      in_phase("polishing", m_report.seconds.improvement, [&] { improve.polish(m_refine.is_bad()); });
+  }
+
+  Triangulation& triangulation() { return m_triangulation; }
+  const Refinement& refinement() const { return m_refine; }
+
+  std::size_t number_of_inner_vertices() const { return m_triangulation.number_of_vertices() - m_number_of_boundary_vertices; }
+
+  // No two patches are to have the same chord. `chords`: what joins boundary vertices of the patch's shell.
+  void split_chords(typename Indexed_mesh<Kernel>::Chords& chords)
+  {
+    Phase_timer timer(m_report.seconds.improvement);
+    Chord_splitter<Evaluator> split_chords(m_triangulation, m_evaluator, chords);
+    split_chords();
+  }
+
+  // The triangles, and what is to be told of them. `causes`: tells why triangles were left bad, as the refinement does.
+  // `mesh`: has the boundary vertices already
+  template <class Causes>
+  Partial_mesh<Kernel> collect(const Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report,
+                               const Causes& causes)
+  {
+    report.seconds += m_report.seconds;
+    report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
+    Phase_timer timer(report.seconds.output);
+    Partial_mesh<Kernel> part;
+    Patch_collector<Kernel> collect(m_triangulation, m_boundary, part, report);
+    collect(causes, mesh.keeps_domain_points, mesh.keeps_corner_points);
+    return part;
+  }
+
+private:
+  template <class Run>
+  void in_phase(const char* name, double& seconds, const Run& run)
+  {
+    Phase_timer timer(seconds);
+    m_visitor.on_phase(name);
+    run();
+  }
+
+  template <class Triangulate>
+  void triangulate_and_refine(const Triangulate& triangulate)
+  {
+    in_phase("triangulation", m_report.seconds.triangulation, [&] { this->triangulate(triangulate); });
+    refine_and_improve(m_criteria.placement() == Mesh_point_placement::FRONTAL);
+  }
+
+  // So a triangulation that was taken over gives the same mesh however it was made.
+  void advance_front()
+  {
+    if(m_has_taken_over)
+      m_refine.advance_front(faces_along_boundary(m_triangulation));
+    else
+      m_refine.advance_front(m_triangulation.finite_face_handles());
+  }
+
+  // `run`: makes a triangulator triangulate
+  template <class Run>
+  void triangulate(const Run& run)
+  {
+    Boundary_triangulator<Kernel> triangulate(m_triangulation, m_loops);
+    run(triangulate);
+    if(!m_is_part) // else they are counted for the patch
+      m_report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
+    m_has_taken_over = triangulate.has_taken_over();
+    m_number_of_boundary_vertices = triangulate.vertices().size();
+    Pole_ring<Evaluator> insert_rings(m_triangulation, m_evaluator, m_boundary);
+    insert_rings(m_loops);
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PARTITION_PATCH_MESHER_H

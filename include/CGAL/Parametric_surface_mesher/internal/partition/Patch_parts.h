@@ -1,0 +1,154 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PARTITION_PATCH_PARTS_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PARTITION_PATCH_PARTS_H
+
+#include <CGAL/Parametric_surface_mesher/internal/partition/Patch_region.h>
+#include <CGAL/Parametric_surface_mesher/internal/partition/Patch_sketch.h>
+#include <CGAL/Parametric_surface_mesher/internal/partition/Region_cutter.h>
+#include <CGAL/Parametric_surface_mesher/internal/partition/Region_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+/*
+The parts of a patch with more triangles than it may have: it is cut in two, and so are its parts, until none has more than
+half as many or a fiftieth of the patch, or no good cut is found. Depends on the input alone.
+
+Points of cuts have indices from `first_index()` on. Each belongs to a seam, where the trace of the cut will be removed: that
+of its cut or, close to where cuts meet, that of the meeting point.
+*/
+template <class Kernel>
+class Patch_parts
+{
+  typedef Patch_region<Kernel> Region;
+  typedef Region_cut<Kernel> Cut;
+  typedef std::vector<std::size_t> Chain; // indices of nodes
+
+  static const std::size_t no_seam = std::size_t(-1);
+  static constexpr double share_of_part = 0.5;         // of what a patch may have: it suits caches
+  static constexpr double least_share_of_patch = 0.02; // more parts take longer to join than caches save
+  static const std::size_t reach_of_meeting_point = 8; // along the cuts, in edges
+
+  std::size_t m_first_index = 0, m_number_of_seams = 0;
+  std::vector<Region> m_regions;
+  std::vector<std::size_t> m_seams; // of the points of cuts
+  std::vector<Chain> m_chains;
+
+public:
+  template <class Evaluator>
+  Patch_parts(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch, const Boundary_loops<Kernel>& loops,
+              double max_weight)
+  {
+    std::vector<Region> stack(1, region_of_patch(evaluate, sketch, loops));
+    const double max_weight_of_part
+      = (std::max)(share_of_part * max_weight, least_share_of_patch * stack.front().weight());
+    const Region_cutter<Evaluator> find_cut(evaluate, sketch);
+    while(!stack.empty()) {
+      Region region = std::move(stack.back());
+      stack.pop_back();
+      std::vector<Region> parts;
+      if(region.weight() > (m_chains.empty() ? max_weight : max_weight_of_part)) {
+        Cut cut = find_cut(region);
+        number_nodes(cut);
+        parts = Region_division<Kernel>(region, cut)();
+      }
+      if(parts.size() > 1)
+        std::move(parts.rbegin(), parts.rend(), std::back_inserter(stack));
+      else
+        m_regions.push_back(std::move(region));
+    }
+    find_seams();
+  }
+
+  const std::vector<Region>& regions() const { return m_regions; }
+  std::size_t first_index() const { return m_first_index; }
+  std::size_t number_of_cut_points() const { return m_seams.size(); }
+  std::size_t number_of_seams() const { return m_number_of_seams; }
+
+  // of the point of a cut with number `i`, which is its index less the first one
+  std::size_t seam(std::size_t i) const { return m_seams[i]; }
+
+private:
+  template <class Evaluator>
+  Region region_of_patch(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch,
+                         const Boundary_loops<Kernel>& loops)
+  {
+    Region result;
+    result.cells = sketch.cells();
+    for(const auto& loop : loops) {
+      result.loops.emplace_back();
+      for(const Boundary_vertex<Kernel>& vertex : loop) {
+        const auto position = evaluate.position(vertex.domain_point, sketch.spacing(vertex.domain_point));
+        result.loops.back().emplace_back(vertex, position.point.tensor());
+        m_first_index = (std::max)(m_first_index, vertex.index + 1);
+      }
+      const bool is_outer = result.loops.size() == 1;
+      if((signed_area(result.loops.back()) > 0) != is_outer)
+        std::reverse(result.loops.back().begin(), result.loops.back().end());
+    }
+    return result;
+  }
+
+  void number_nodes(Cut& cut)
+  {
+    for(auto& chain : cut.chains) {
+      for(std::size_t i = 1; i + 1 < chain.nodes.size(); ++i) {
+        chain.nodes[i].index = m_first_index + m_seams.size();
+        m_seams.push_back(m_chains.size());
+      }
+      m_chains.emplace_back();
+      for(const auto& node : chain.nodes)
+        m_chains.back().push_back(node.index);
+    }
+  }
+
+  bool is_of_cut(std::size_t index) const { return index >= m_first_index; }
+
+  // At first each chain is a seam. Where one ends on another, a seam of its own lies around.
+  void find_seams()
+  {
+    const std::size_t n = m_chains.size();
+    const std::vector<std::size_t> chains = m_seams; // of the points
+    m_number_of_seams = n;
+    for(std::size_t c = 0; c < n; ++c) {
+      Chain chain = m_chains[c];
+      for(int end = 0; end < 2; ++end, std::reverse(chain.begin(), chain.end()))
+        if(is_of_cut(chain.front())) {
+          const std::size_t seam = seam_of_meeting_point(chain.front(), m_chains[chains[chain.front() - m_first_index]]);
+          mark(chain, 0, seam);
+        }
+    }
+  }
+
+  std::size_t seam_of_meeting_point(std::size_t index, const Chain& chain)
+  {
+    std::size_t seam = m_seams[index - m_first_index];
+    if(seam < m_chains.size())
+      seam = m_number_of_seams++;
+    mark(chain, std::find(chain.begin(), chain.end(), index) - chain.begin(), seam);
+    return seam;
+  }
+
+  void mark(const Chain& chain, std::size_t i, std::size_t seam)
+  {
+    const std::size_t first = i - (std::min)(i, std::size_t(reach_of_meeting_point)), last = i + reach_of_meeting_point;
+    for(std::size_t k = first; k <= last && k < chain.size(); ++k)
+      if(is_of_cut(chain[k]))
+        m_seams[chain[k] - m_first_index] = seam;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PARTITION_PATCH_PARTS_H

@@ -1,0 +1,117 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_REFINEMENT_POINT_PLACEMENT_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_REFINEMENT_POINT_PLACEMENT_H
+
+#include <CGAL/Metric_tensor_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
+
+#include <boost/container/static_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Where in the domain a new point may go, for a bad face. All positions come from the edge lengths under the metric: the
+// face's affine map between domain and space turns them into domain points.
+template <class Kernel>
+class Point_placement
+{
+public:
+  typedef typename Kernel::Point_2 Point_2;
+  typedef std::array<double, 3> Weights; // barycentric coordinates in a face
+
+  // The centre of the circumellipse (paper, section "Procedure"), or of a triangle without area the centroid.
+  static Weights circumcenter_weights(const Face_measures& measures)
+  {
+    const std::array<double, 3>& l = measures.squared_lengths;
+    const Weights w = {l[0] * (l[1] + l[2] - l[0]), l[1] * (l[2] + l[0] - l[1]), l[2] * (l[0] + l[1] - l[2])};
+    const double sum = w[0] + w[1] + w[2];
+    if(!(sum > 1e-12 * (std::max)({l[0], l[1], l[2]}) * (std::max)({l[0], l[1], l[2]})))
+      return {1. / 3, 1. / 3, 1. / 3};
+    return {w[0] / sum, w[1] / sum, w[2] / sum};
+  }
+
+  // Between the middle of the shortest edge and the circumcentre, so that the triangle with that edge has the angle at the
+  // new point (Ungor 2004), or is of the wanted size if that is larger.
+  static Weights off_center_weights(const Face_measures& measures, double angle, double spacing)
+  {
+    const std::array<double, 3>& l = measures.squared_lengths;
+    const int shortest = int(std::min_element(l.begin(), l.end()) - l.begin());
+    const double height = (std::max)(0.5 * std::sqrt(l[shortest]) / std::tan(0.5 * angle), 0.87 * spacing);
+    const double distance = std::sqrt((std::max)(0., measures.squared_circumradius - l[shortest] / 4));
+    const Weights center = circumcenter_weights(measures);
+    return height < distance ? on_axis(shortest, height / distance, center) : center;
+  }
+
+  template <class Face_handle>
+  static Point_2 barycentric(Face_handle face, const Weights& w)
+  {
+    double x = 0, y = 0;
+    for(int i = 0; i < 3; ++i) {
+      x += w[i] * face->vertex(i)->point().x();
+      y += w[i] * face->vertex(i)->point().y();
+    }
+    return Point_2(x, y);
+  }
+
+  // Positions for a face whose circumcentre is not acceptable, best guess first: on the axis of its shortest edge
+  // (off-centres: apices of isosceles triangles), and the middle of the face.
+  static boost::container::static_vector<Weights, 4> alternatives(const Face_measures& measures)
+  {
+    const std::array<double, 3>& l = measures.squared_lengths;
+    const int shortest = int(std::min_element(l.begin(), l.end()) - l.begin());
+    const Weights center = circumcenter_weights(measures);
+    const double distance = std::sqrt((std::max)(0., measures.squared_circumradius - l[shortest] / 4));
+    boost::container::static_vector<Weights, 4> result;
+    for(double height : {1.4, 0.87, 0.6}) {
+      const double share = height * std::sqrt(l[shortest]) / distance;
+      if(!(share < 1))
+        continue;
+      result.push_back(on_axis(shortest, share, center));
+    }
+    result.push_back({1. / 3, 1. / 3, 1. / 3});
+    return result;
+  }
+
+  // The apex of an isosceles triangle on the left of the edge from `p` to `q`, perpendicular to it under the tensor. The
+  // height is given as a multiple of the edge.
+  template <class Point>
+  static Point_2 apex(const Point& p, const Point& q, double height)
+  {
+    const Metric_tensor_2 m = p.tensor() + q.tensor();
+    const double du = q.x() - p.x(), dv = q.y() - p.y(), scale = height / std::sqrt(m.determinant());
+    return Point_2(0.5 * (p.x() + q.x()) - scale * (m.f() * du + m.g() * dv),
+                   0.5 * (p.y() + q.y()) + scale * (m.e() * du + m.f() * dv));
+  }
+
+  // Positions over a boundary edge, inside the domain.
+  template <class Point>
+  static void append_apices(const Point& p, const Point& q, std::vector<Point_2>& positions)
+  {
+    for(double height : {0.87, 0.6, 1.2})
+      positions.push_back(apex(p, q, height));
+  }
+
+private:
+  // a share of the way from the middle of an edge to the circumcentre
+  static Weights on_axis(int edge, double share, const Weights& center)
+  {
+    Weights weights = {0.5, 0.5, 0.5};
+    weights[edge] = 0;
+    for(int i = 0; i < 3; ++i)
+      weights[i] += share * (center[i] - weights[i]);
+    return weights;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_REFINEMENT_POINT_PLACEMENT_H

@@ -1,0 +1,35 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SUPPORT_DESCRIBE_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SUPPORT_DESCRIBE_H
+
+#include <sstream>
+#include <string>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// A number for an error message, with the digits that matter.
+inline std::string describe(double x)
+{
+  std::ostringstream text;
+  text << x;
+  return text.str();
+}
+
+// A point of the domain for an error message, with all digits.
+template <class Point_2>
+std::string describe(const Point_2& p)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << "(" << p.x() << ", " << p.y() << ")";
+  return text.str();
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SUPPORT_DESCRIBE_H

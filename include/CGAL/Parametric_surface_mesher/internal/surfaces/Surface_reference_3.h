@@ -1,0 +1,33 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SURFACES_SURFACE_REFERENCE_3_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SURFACES_SURFACE_REFERENCE_3_H
+
+#include <CGAL/Surface_jet_3.h>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// A surface that is not copied with the model that it is in.
+template <class Surface>
+class Surface_reference_3
+{
+public:
+  typedef typename Surface::Geom_traits Geom_traits;
+
+private:
+  const Surface* m_surface;
+
+public:
+  explicit Surface_reference_3(const Surface& surface) : m_surface(&surface) {}
+
+  typename Geom_traits::Point_3 point(double u, double v) const { return m_surface->point(u, v); }
+  Surface_jet_3<Geom_traits> jet(double u, double v) const { return m_surface->jet(u, v); }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SURFACES_SURFACE_REFERENCE_3_H

@@ -1,0 +1,168 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_BOUNDARY_LOOPS_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_BOUNDARY_LOOPS_H
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// A point of the boundary division: in the domain, in space, and by its index in the mesh. Points of a collapsed side
+// are several in the domain and have the same index.
+template <class Kernel>
+struct Boundary_vertex
+{
+  typename Kernel::Point_2 domain_point;
+  typename Kernel::Point_3 surface_point;
+  std::size_t index;
+};
+
+// The divided boundary of a patch, outer loop first.
+template <class Kernel>
+using Boundary_loops = std::vector<std::vector<Boundary_vertex<Kernel>>>;
+
+template <class Kernel>
+Bbox_2 box_of_loops(const Boundary_loops<Kernel>& loops)
+{
+  Bbox_2 box;
+  for(const auto& loop : loops)
+    for(const Boundary_vertex<Kernel>& vertex : loop)
+      box += vertex.domain_point.bbox();
+  return box;
+}
+
+template <class Kernel>
+std::size_t number_of_vertices(const Boundary_loops<Kernel>& loops)
+{
+  return std::accumulate(loops.begin(), loops.end(), std::size_t(0),
+                         [](std::size_t n, const auto& loop) { return n + loop.size(); });
+}
+
+// Looks for what keeps a division from bounding a domain: fewer than three points, values that are not finite, segments of
+// length zero, and segments that meet elsewhere than in a common vertex. All tests are exact; O(n log n).
+template <class Kernel>
+class Boundary_check
+{
+public:
+  typedef std::pair<std::size_t, std::size_t> Segment_id; // loop, number in the loop
+  typedef std::pair<Segment_id, Segment_id> Crossing;
+
+private:
+  typedef typename Kernel::Segment_2 Segment_2;
+  typedef Box_intersection_d::Box_with_info_d<double, 2, Segment_id> Box;
+
+  const Boundary_loops<Kernel>& m_loops;
+
+public:
+  explicit Boundary_check(const Boundary_loops<Kernel>& loops) : m_loops(loops) {}
+
+  // \throws Parametric_surface_mesh_error for loops that are too short, and points and segments that are no such
+  void check_segments() const
+  {
+    for(std::size_t l = 0; l < m_loops.size(); ++l) {
+      if(m_loops[l].size() < 3)
+        throw Parametric_surface_mesh_error("loop " + std::to_string(l) + " is divided into "
+                                            + std::to_string(m_loops[l].size())
+                                            + " edges; at least 3 are needed: choose a smaller maximum edge");
+      for(std::size_t i = 0; i < m_loops[l].size(); ++i)
+        check_segment({l, i});
+    }
+  }
+
+  // the pairs of segments that cross, overlap or touch, in order
+  std::vector<Crossing> crossings() const
+  {
+    std::vector<Box> boxes;
+    for(std::size_t l = 0; l < m_loops.size(); ++l)
+      for(std::size_t i = 0; i < m_loops[l].size(); ++i)
+        boxes.push_back(Box(segment({l, i}).bbox(), Segment_id(l, i)));
+    std::vector<Crossing> result;
+    const std::ptrdiff_t cutoff = 500; // boxes that are scanned, without a tree
+    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+      const Crossing pair = std::minmax(a.info(), b.info());
+      if(cross(pair.first, pair.second))
+        result.push_back(pair);
+    }, cutoff);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  std::string describe_crossing(const Crossing& crossing) const
+  {
+    return "the boundary crosses or touches itself: " + name(crossing.first) + ", and " + name(crossing.second);
+  }
+
+private:
+  const Boundary_vertex<Kernel>& vertex(std::size_t loop, std::size_t i) const
+  {
+    return m_loops[loop][i % m_loops[loop].size()];
+  }
+
+  Segment_2 segment(const Segment_id& id) const
+  {
+    return Segment_2(vertex(id.first, id.second).domain_point, vertex(id.first, id.second + 1).domain_point);
+  }
+
+  std::string name(const Segment_id& id) const
+  {
+    return "segment " + std::to_string(id.second) + " of loop " + std::to_string(id.first) + ", "
+           + describe(segment(id).source()) + " to " + describe(segment(id).target());
+  }
+
+  void check_segment(const Segment_id& id) const
+  {
+    const auto p = segment(id).source();
+    const auto& s = vertex(id.first, id.second).surface_point;
+    if(!std::isfinite(p.x()) || !std::isfinite(p.y()))
+      throw Parametric_surface_mesh_error("the domain point of " + name(id) + " is not finite");
+    if(!std::isfinite(s.x()) || !std::isfinite(s.y()) || !std::isfinite(s.z()))
+      throw Parametric_surface_mesh_error("the surface is not finite at (u,v) = " + describe(p) + ", at the start of "
+                                          + name(id));
+    if(segment(id).is_degenerate())
+      throw Parametric_surface_mesh_error(name(id) + ", has length zero in the domain");
+  }
+
+  // Segments may meet in a common vertex, be they neighbours or loops that touch there.
+  bool cross(const Segment_id& a, const Segment_id& b) const
+  {
+    const Segment_2 s = segment(a), t = segment(b);
+    for(std::size_t i : {0, 1})
+      for(std::size_t k : {0, 1})
+        if(are_one(vertex(a.first, a.second + i), vertex(b.first, b.second + k)))
+          return overlap(i == 0 ? s.opposite() : s, k == 0 ? t : t.opposite());
+    return do_intersect(s, t);
+  }
+
+  static bool are_one(const Boundary_vertex<Kernel>& v, const Boundary_vertex<Kernel>& w)
+  {
+    return v.index == w.index && v.domain_point == w.domain_point;
+  }
+
+  // whether two segments joined at s.target() have more in common than that point
+  static bool overlap(const Segment_2& s, const Segment_2& t)
+  {
+    return orientation(s.source(), s.target(), t.target()) == COLLINEAR
+           && angle(s.source(), s.target(), t.target()) == ACUTE;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_BOUNDARY_LOOPS_H

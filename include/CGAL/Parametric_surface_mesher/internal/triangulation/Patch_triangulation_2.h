@@ -1,0 +1,164 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_PATCH_TRIANGULATION_2_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_PATCH_TRIANGULATION_2_H
+
+#include <CGAL/Anisotropic_Delaunay_triangulation_traits_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_point_2.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/Triangulation_vertex_base_2.h>
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The largest index that a vertex holds: of none in the mesh.
+const std::size_t no_vertex_index = std::uint32_t(-1);
+
+// A vertex with its spacing (paper, eq. 2) and its index in the mesh. Boundary vertices have their index from the
+// division, and come first.
+template <class Traits, class Base = Triangulation_vertex_base_2<Traits>>
+class Patch_vertex_base_2
+  : public Base
+{
+  double m_spacing = 0;
+  std::uint32_t m_index = 0;
+  bool m_is_on_boundary = false, m_is_settled = false, m_is_kept = false;
+
+public:
+  using Base::Base;
+
+  template <class Tds>
+  struct Rebind_TDS
+  {
+    typedef Patch_vertex_base_2<Traits, typename Base::template Rebind_TDS<Tds>::Other> Other;
+  };
+
+  double spacing() const { return m_spacing; }
+  void set_spacing(double spacing) { m_spacing = spacing; }
+  std::size_t index() const { return m_index; }
+  void set_index(std::size_t index)
+  {
+    CGAL_assertion(index <= no_vertex_index); // meshes with more points are refused in the end
+    m_index = std::uint32_t(index);
+  }
+  bool is_on_boundary() const { return m_is_on_boundary; }
+  void set_on_boundary(bool b) { m_is_on_boundary = b; }
+
+  // Whether smoothing has nothing to do here as long as the star stays.
+  bool is_settled() const { return m_is_settled; }
+  void set_settled(bool b) { m_is_settled = b; }
+
+  // Whether smoothing leaves it where it was placed.
+  bool is_kept() const { return m_is_kept; }
+  void set_kept(bool b) { m_is_kept = b; }
+};
+
+// What the refinement found when it last looked at a face.
+enum class Face_state : std::uint8_t
+{
+  UNKNOWN,
+  GOOD,
+  ACTIVE, // not done, and behind the front
+  QUEUED,
+  BLOCKED // bad, and no acceptable position was found
+};
+
+template <class Traits, class Base = Constrained_triangulation_face_base_2<Traits>>
+class alignas(64) Patch_face_base_2
+  : public Base
+{
+  static const std::uint32_t no_number = std::uint32_t(-1);
+  std::uint32_t m_stamp = 0, m_number = no_number;
+  Face_state m_state = Face_state::UNKNOWN;
+  std::uint8_t m_nesting_level = 0;
+  std::uint8_t m_close_edges = 0; // one bit each
+  bool m_is_waiting = false;
+
+public:
+  using Base::Base;
+
+  template <class Tds>
+  struct Rebind_TDS
+  {
+    typedef Patch_face_base_2<Traits, typename Base::template Rebind_TDS<Tds>::Other> Other;
+  };
+
+  // How many loops of the boundary are around: none outside of all, one in the domain, two in its holes.
+  int nesting_level() const { return m_nesting_level; }
+  void set_nesting_level(int level) { m_nesting_level = std::uint8_t(level); }
+  bool is_in_domain() const { return m_nesting_level == 1; }
+  void set_in_domain(bool b) { m_nesting_level = b ? 1 : 0; }
+
+  // Changes whenever the face does, so that a queue entry can tell whether it is out of date.
+  std::uint32_t stamp() const { return m_stamp; }
+
+  // in the mesh, once the triangulation is final and the face is there
+  bool has_number() const { return m_number != no_number; }
+  std::size_t number() const { return m_number; }
+  void set_number(std::size_t number) { m_number = std::uint32_t(number); }
+
+  Face_state state() const { return m_state; }
+  void set_state(Face_state state) { m_state = state; }
+
+  // to be repaired
+  bool is_waiting() const { return m_is_waiting; }
+  void set_waiting(bool b) { m_is_waiting = b; }
+
+  // Whether edge `i` is known to be close to the surface.
+  bool is_close(int i) const { return (m_close_edges >> i & 1) != 0; }
+  void set_close(int i) { m_close_edges = std::uint8_t(m_close_edges | 1 << i); }
+
+  // to be called when the vertices have changed
+  void touch()
+  {
+    ++m_stamp;
+    m_close_edges = 0;
+    m_state = Face_state::UNKNOWN;
+  }
+
+  // the same when vertex `i` alone has changed: the edge opposite to it is as close to the surface as it was
+  void touch_by_vertex(int i)
+  {
+    const std::uint8_t close_edge = m_close_edges & std::uint8_t(1 << i);
+    touch();
+    m_close_edges = close_edge;
+  }
+};
+
+template <class Kernel>
+struct Patch_triangulation_types
+{
+  typedef Anisotropic_Delaunay_triangulation_traits_2<Kernel, Patch_point_2<Kernel>> Traits;
+  typedef Triangulation_data_structure_2<Patch_vertex_base_2<Traits>, Patch_face_base_2<Traits>> Tds;
+  typedef Constrained_Delaunay_triangulation_2<Traits, Tds, No_constraint_intersection_requiring_constructions_tag>
+    Triangulation;
+};
+
+template <class Kernel>
+using Patch_triangulation_2 = typename Patch_triangulation_types<Kernel>::Triangulation;
+
+// Whether a face has an edge without length in space: between two copies of the point of a collapsed side.
+template <class Face_handle>
+bool is_collapsed(Face_handle face)
+{
+  for(int i = 0; i < 3; ++i) {
+    const auto v = face->vertex((i + 1) % 3), w = face->vertex((i + 2) % 3);
+    if(v->is_on_boundary() && w->is_on_boundary() && v->index() == w->index())
+      return true;
+  }
+  return false;
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_PATCH_TRIANGULATION_2_H

@@ -1,0 +1,28 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_STAMPED_FACE_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_STAMPED_FACE_H
+
+#include <cstdint>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// A face as it is now, for a queue: later it tells whether the face has changed since.
+template <class Face_handle>
+struct Stamped_face
+{
+  Face_handle face;
+  std::uint32_t stamp;
+
+  explicit Stamped_face(Face_handle f) : face(f), stamp(f->stamp()) {}
+
+  bool is_up_to_date() const { return face->stamp() == stamp; }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_STAMPED_FACE_H

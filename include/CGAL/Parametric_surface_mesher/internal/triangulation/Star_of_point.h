@@ -1,0 +1,81 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_STAR_OF_POINT_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_STAR_OF_POINT_H
+
+#include <CGAL/enum.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The boundary edges of the star that a point would get, without inserting it: the faces whose circumellipse holds the
+// point, reached from the face that contains it without crossing a constraint.
+template <class Triangulation>
+class Star_of_point
+{
+public:
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef std::pair<Face_handle, int> Edge; // of a face of the star
+
+private:
+  const Triangulation& m_triangulation;
+  std::vector<Edge> m_boundary, m_stack;
+
+public:
+  explicit Star_of_point(const Triangulation& triangulation) : m_triangulation(triangulation) {}
+
+  // The number of edges is bounded: where the metric varies the conflict region need not be a disc.
+  template <class Point>
+  const std::vector<Edge>& compute(const Point& p, Face_handle face)
+  {
+    m_boundary.clear();
+    m_stack.clear();
+    push_edges(face, -1);
+    while(!m_stack.empty()) {
+      const Edge edge = m_stack.back();
+      m_stack.pop_back();
+      if(is_in_star(p, edge))
+        push_edges(edge.first->neighbor(edge.second), m_triangulation.mirror_index(edge.first, edge.second));
+      else
+        m_boundary.push_back(edge);
+    }
+    return m_boundary;
+  }
+
+  // the edges of the star computed last
+  const std::vector<Edge>& boundary() const { return m_boundary; }
+
+private:
+  // pushes the two edges other than `entry` (all three for -1), the counterclockwise first one on top
+  void push_edges(Face_handle face, int entry)
+  {
+    if(entry < 0) {
+      for(int i : {2, 1, 0})
+        m_stack.emplace_back(face, i);
+      return;
+    }
+    m_stack.emplace_back(face, (entry + 2) % 3);
+    m_stack.emplace_back(face, (entry + 1) % 3);
+  }
+
+  template <class Point>
+  bool is_in_star(const Point& p, const Edge& edge) const
+  {
+    const Face_handle face = edge.first, neighbor = face->neighbor(edge.second);
+    if(face->is_constrained(edge.second) || m_boundary.size() + m_stack.size() > 200)
+      return false;
+    return m_triangulation.geom_traits().side_of_oriented_circle_2_object()(
+             neighbor->vertex(0)->point(), neighbor->vertex(1)->point(), neighbor->vertex(2)->point(), p)
+           == ON_POSITIVE_SIDE;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_STAR_OF_POINT_H

@@ -1,0 +1,327 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_TRIANGULATE_BOUNDARY_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_TRIANGULATE_BOUNDARY_H
+
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Evaluated_point_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
+
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Tells all faces how many loops are around them, from outside inwards. Constraints are the loops.
+template <class Triangulation>
+void set_nesting_levels(Triangulation& triangulation)
+{
+  typedef typename Triangulation::Face_handle Face_handle;
+  const int unknown = 255;
+  for(Face_handle face : triangulation.all_face_handles())
+    face->set_nesting_level(unknown);
+  std::vector<Face_handle> level(1, triangulation.infinite_face()), next;
+  for(int depth = 0; !level.empty(); depth = (std::min)(depth + 1, unknown - 1), level.swap(next), next.clear())
+    while(!level.empty()) {
+      const Face_handle face = level.back();
+      level.pop_back();
+      if(face->nesting_level() != unknown)
+        continue;
+      face->set_nesting_level(depth);
+      for(int i = 0; i < 3; ++i)
+        if(face->neighbor(i)->nesting_level() == unknown)
+          (face->is_constrained(i) ? next : level).push_back(face->neighbor(i));
+    }
+}
+
+// A triangulation of the points of a divided boundary whose segments are its constraints.
+template <class Kernel>
+struct Boundary_triangulation
+{
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+
+  std::unique_ptr<Triangulation> triangulation;
+  std::vector<typename Triangulation::Vertex_handle> vertices; // of the points, loop by loop
+};
+
+// The faces by the indices of their vertices, along the boundary.
+template <class Triangulation>
+std::vector<typename Triangulation::Face_handle> faces_along_boundary(const Triangulation& triangulation)
+{
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef std::pair<std::array<std::size_t, 3>, Face_handle> Numbered_face;
+  std::vector<Numbered_face> faces;
+  for(Face_handle face : triangulation.finite_face_handles()) {
+    faces.push_back({{face->vertex(0)->index(), face->vertex(1)->index(), face->vertex(2)->index()}, face});
+    std::sort(faces.back().first.begin(), faces.back().first.end());
+  }
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const Numbered_face& a, const Numbered_face& b) { return a.first < b.first; });
+  std::vector<Face_handle> result;
+  for(const Numbered_face& face : faces)
+    result.push_back(face.second);
+  return result;
+}
+
+/*
+Triangulates the divided boundary of a patch: the division's segments become constraints, faces are marked as inside or
+outside the domain.
+
+The points first all carry the mean of their tensors. Under one tensor the in-ellipse predicate is that of a true Delaunay
+triangulation (of an affine image), with which CGAL inserts points and constraints. Only then they get tensors of their
+own, and a bounded number of flips makes the triangulation locally Delaunay again.
+*/
+template <class Kernel>
+class Boundary_triangulator
+{
+public:
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Face_handle Face_handle;
+  typedef typename Triangulation::Point Point;
+  typedef Evaluated_point<Kernel> Evaluated;
+
+private:
+  static constexpr double rounding_of_tensors = 1e-6; // relative, of those of a cylinder
+
+  Triangulation& m_triangulation;
+  const Boundary_loops<Kernel>& m_loops;
+  std::vector<std::size_t> m_starts; // of the loops in the arrays below
+  std::vector<Point> m_points;
+  std::vector<Vertex_handle> m_vertices;
+  std::size_t m_number_of_replaced_tensors = 0;
+  bool m_has_taken_over = false;
+
+public:
+  Boundary_triangulator(Triangulation& triangulation, const Boundary_loops<Kernel>& loops)
+    : m_triangulation(triangulation), m_loops(loops)
+  {}
+
+  // \pre `Boundary_check` finds nothing
+  template <class Evaluator>
+  void operator()(const Evaluator& evaluate)
+  {
+    triangulate(evaluate_all(evaluate));
+  }
+
+  // Takes over a triangulation of the points of the loops, under tensors and with spacings of its own. Where tensors vary it
+  // depends on how it was made: then one is made anew.
+  template <class Evaluator>
+  void operator()(const Evaluator& evaluate, Boundary_triangulation<Kernel> given)
+  {
+    CGAL_precondition(given.vertices.size() == number_of_vertices<Kernel>(m_loops));
+    const std::vector<Evaluated> evaluated = evaluate_all(evaluate);
+    if(have_one_tensor(evaluated, rounding_of_tensors))
+      take_over(std::move(given), evaluated);
+    else
+      triangulate(evaluated);
+  }
+
+  // the vertices of the points of the loops, loop by loop
+  const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
+
+  // Whether the order of the faces is that in which another one has made them.
+  bool has_taken_over() const { return m_has_taken_over; }
+
+  // how many boundary vertices have a tensor that was not positive definite
+  std::size_t number_of_replaced_tensors() const { return m_number_of_replaced_tensors; }
+
+private:
+  void triangulate(const std::vector<Evaluated>& evaluated)
+  {
+    const bool is_uniform = have_one_tensor(evaluated, 0);
+    insert_points(is_uniform ? evaluated.front().point.tensor() : mean_tensor(evaluated));
+    insert_constraints();
+    mark_domain();
+    set_points(evaluated);
+    if(!is_uniform) // else it is Delaunay already
+      make_locally_delaunay();
+  }
+
+  void take_over(Boundary_triangulation<Kernel> given, const std::vector<Evaluated>& evaluated)
+  {
+    m_has_taken_over = true;
+    m_triangulation.swap(*given.triangulation);
+    m_vertices = std::move(given.vertices);
+    for(Vertex_handle vertex : m_vertices)
+      vertex->set_on_boundary(false);
+    set_points(evaluated);
+    make_locally_delaunay();
+  }
+
+  template <class Evaluator>
+  std::vector<Evaluated> evaluate_all(const Evaluator& evaluate)
+  {
+    std::vector<Evaluated> result;
+    result.reserve(number_of_vertices<Kernel>(m_loops));
+    for(const auto& loop : m_loops) {
+      m_starts.push_back(result.size());
+      for(std::size_t i = 0; i < loop.size(); ++i) {
+        result.push_back(evaluate(loop[i].domain_point, loop[i].surface_point, spacing(loop, i)));
+        m_number_of_replaced_tensors += result.back().is_tensor_replaced;
+      }
+    }
+    m_starts.push_back(result.size());
+    if(std::all_of(result.begin(), result.end(), [](const Evaluated& e) { return e.is_degenerate; }))
+      throw Parametric_surface_mesh_error("the surface is degenerate: its first derivatives are parallel or zero "
+                                          "everywhere on the boundary, at (u,v) = "
+                                          + describe(m_loops[0][0].domain_point) + " for one");
+    return result;
+  }
+
+  // but for a relative tolerance
+  static bool have_one_tensor(const std::vector<Evaluated>& evaluated, double tolerance)
+  {
+    const Metric_tensor_2 first = evaluated.front().point.tensor();
+    return std::all_of(evaluated.begin(), evaluated.end(), [&](const Evaluated& e) {
+      const Metric_tensor_2 t = e.point.tensor();
+      return std::fabs(t.e() - first.e()) <= tolerance * first.e() && std::fabs(t.g() - first.g()) <= tolerance * first.g()
+             && std::fabs(t.f() - first.f()) <= tolerance * std::sqrt(first.e() * first.g());
+    });
+  }
+
+  static Metric_tensor_2 mean_tensor(const std::vector<Evaluated>& evaluated)
+  {
+    Metric_tensor_2 sum(0, 0, 0);
+    for(const Evaluated& e : evaluated)
+      sum = sum + (1. / double(evaluated.size())) * e.point.tensor();
+    return sum;
+  }
+
+  void insert_points(const Metric_tensor_2& tensor)
+  {
+    m_points.reserve(number_of_vertices<Kernel>(m_loops));
+    for(const auto& loop : m_loops)
+      for(const Boundary_vertex<Kernel>& vertex : loop)
+        m_points.emplace_back(vertex.domain_point, vertex.surface_point, tensor);
+    std::vector<std::size_t> order(m_points.size());
+    std::iota(order.begin(), order.end(), 0);
+    typedef typename Pointer_property_map<Point>::const_type Point_map;
+    typedef Spatial_sort_traits_adapter_2<typename Triangulation::Geom_traits, Point_map> Sort_traits;
+    spatial_sort(order.begin(), order.end(), Sort_traits(make_property_map(static_cast<const Point*>(m_points.data()))));
+    m_vertices.resize(m_points.size());
+    Face_handle hint;
+    for(std::size_t i : order) {
+      m_vertices[i] = m_triangulation.insert(m_points[i], hint);
+      hint = m_vertices[i]->face();
+    }
+    if(m_triangulation.dimension() < 2)
+      throw Parametric_surface_mesh_error("the domain has area zero: the points of its boundary are collinear, from "
+                                          + describe(m_points.front()));
+  }
+
+  template <class Visit>
+  void for_each_segment(Visit visit) const
+  {
+    for(std::size_t l = 0; l + 1 < m_starts.size(); ++l)
+      for(std::size_t i = m_starts[l]; i < m_starts[l + 1]; ++i)
+        visit(l, m_vertices[i], m_vertices[i + 1 < m_starts[l + 1] ? i + 1 : m_starts[l]]);
+  }
+
+  // Most segments are edges of the triangulation already, which stays Delaunay if these are but marked.
+  void insert_constraints()
+  {
+    for_each_segment([this](std::size_t, Vertex_handle a, Vertex_handle b) {
+      Face_handle face;
+      int i = 0;
+      if(m_triangulation.is_edge(a, b, face, i)) {
+        face->neighbor(i)->set_constraint(m_triangulation.mirror_index(face, i), true);
+        face->set_constraint(i, true);
+      }
+      else
+        m_triangulation.insert_constraint(a, b);
+    });
+  }
+
+  void mark_domain()
+  {
+    set_nesting_levels(m_triangulation);
+    std::vector<bool> is_checked(m_loops.size(), false);
+    for_each_segment([&](std::size_t l, Vertex_handle a, Vertex_handle b) {
+      if(!is_checked[l])
+        check_nesting(l, a, b);
+      is_checked[l] = true;
+    });
+  }
+
+  void check_nesting(std::size_t l, Vertex_handle a, Vertex_handle b) const
+  {
+    Face_handle face;
+    int i = 0;
+    m_triangulation.is_edge(a, b, face, i);
+    const int level = (std::min)(face->nesting_level(), face->neighbor(i)->nesting_level());
+    if(l == 0 && level != 0)
+      throw Parametric_surface_mesh_error("loop 0, the outer loop, lies inside another loop, at (u,v) = "
+                                          + describe(a->point()));
+    if(l > 0 && level != 1)
+      throw Parametric_surface_mesh_error("loop " + std::to_string(l) + ", a hole, lies "
+                                          + (level == 0 ? "outside the outer loop" : "inside another hole")
+                                          + ", at (u,v) = " + describe(a->point()));
+  }
+
+  // of a boundary vertex: the mean of the distances to the two neighbours (paper, section "Spacing function")
+  static double spacing(const std::vector<Boundary_vertex<Kernel>>& loop, std::size_t i)
+  {
+    const auto &before = loop[(i + loop.size() - 1) % loop.size()].surface_point,
+               &after = loop[(i + 1) % loop.size()].surface_point, &here = loop[i].surface_point;
+    return (std::sqrt(squared_distance(before, here)) + std::sqrt(squared_distance(here, after))) / 2;
+  }
+
+  void set_points(const std::vector<Evaluated>& evaluated)
+  {
+    std::size_t position = 0;
+    for(const auto& loop : m_loops)
+      for(std::size_t i = 0; i < loop.size(); ++i, ++position) {
+        const Vertex_handle vertex = m_vertices[position];
+        vertex->set_point(evaluated[position].point);
+        const double own = spacing(loop, i);
+        vertex->set_spacing(vertex->is_on_boundary() ? (std::min)(vertex->spacing(), own) : own); // loops may touch
+        vertex->set_index(loop[i].index);
+        vertex->set_on_boundary(true);
+      }
+  }
+
+  // Flips under varying tensors could go round in circles: their number is bounded.
+  void make_locally_delaunay()
+  {
+    typedef typename Triangulation::Edge Edge;
+    std::vector<Edge> stack;
+    // by faces: the edge iterator's choice of a face for each edge depends on addresses
+    for(Face_handle face : m_triangulation.finite_face_handles())
+      for(int i = 0; i < 3; ++i)
+        stack.emplace_back(face, i);
+    std::size_t flips_left = 20 * stack.size();
+    while(!stack.empty() && flips_left > 0) {
+      const Edge edge = stack.back();
+      stack.pop_back();
+      const Face_handle face = edge.first, across = face->neighbor(edge.second);
+      if(!face->is_in_domain() || !m_triangulation.is_flipable(face, edge.second))
+        continue;
+      m_triangulation.flip(const_cast<Face_handle&>(face), edge.second);
+      --flips_left;
+      for(Face_handle changed : {face, across})
+        for(int i = 0; i < 3; ++i)
+          stack.emplace_back(changed, i);
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_TRIANGULATE_BOUNDARY_H
