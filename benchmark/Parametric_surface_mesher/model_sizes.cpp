@@ -15,7 +15,7 @@
 #include <CGAL/Triangle_mesh_quality.h>
 #include <CGAL/make_model_of_rectangular_patches.h>
 #include <CGAL/make_parametric_surface_mesh.h>
-#include <CGAL/validate_parametric_surface_model.h>
+#include <CGAL/Parametric_surface_mesher/validate.h>
 
 #include <boost/program_options.hpp>
 
@@ -146,7 +146,7 @@ void measure_once(const std::vector<Patch>& patches, double edge_length, Result&
   Mesh mesh;
   Report report;
   keep_least(seconds_of([&] { model = CGAL::make_model_of_rectangular_patches(patches); }), result.matching);
-  keep_least(seconds_of([&] { CGAL::validate(model); }), result.validation);
+  keep_least(seconds_of([&] { CGAL::Parametric_surface_mesher::validate(model); }), result.validation);
   keep_least(seconds_of([&] { report = CGAL::make_parametric_surface_mesh(model, criteria, mesh); }), result.meshing);
   keep_least(report.seconds, result.phases);
   const double bytes_per_triangle = (peak_memory() - memory_before) / report.number_of_faces;

@@ -65,14 +65,14 @@ struct Row
   Result result;
 };
 
-CGAL::Mesh_point_placement placement(const std::string& name)
+CGAL::Parametric_surface_mesher::Mesh_point_placement placement(const std::string& name)
 {
   if(name == "frontal")
-    return CGAL::Mesh_point_placement::FRONTAL;
+    return CGAL::Parametric_surface_mesher::Mesh_point_placement::FRONTAL;
   if(name == "off-center")
-    return CGAL::Mesh_point_placement::OFF_CENTER;
+    return CGAL::Parametric_surface_mesher::Mesh_point_placement::OFF_CENTER;
   if(name == "circumcenter")
-    return CGAL::Mesh_point_placement::CIRCUMCENTER;
+    return CGAL::Parametric_surface_mesher::Mesh_point_placement::CIRCUMCENTER;
   throw std::invalid_argument("--placement must be frontal, off-center or circumcenter");
 }
 

@@ -7,7 +7,7 @@
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/make_parametric_surface_mesh.h>
-#include <CGAL/orient_faces.h>
+#include <CGAL/Parametric_surface_mesher/orient_faces.h>
 
 #include <cmath>
 #include <cstddef>
@@ -74,7 +74,7 @@ int main()
   }, 0, 1);
   model.add_face({Surface_of_tin(0), {{{bottom, false, circle}}}});
   model.add_face({Surface_of_tin(height), {{{top, false, circle}}}});
-  CGAL::orient_faces(model); // the lower lid is turned over: a closed model faces outward
+  CGAL::Parametric_surface_mesher::orient_faces(model); // the lower lid is turned over: a closed model faces outward
 
   Mesh mesh;
   const auto patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;

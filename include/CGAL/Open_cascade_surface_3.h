@@ -1,7 +1,14 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_OPEN_CASCADE_SURFACE_3_H
 #define CGAL_OPEN_CASCADE_SURFACE_3_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

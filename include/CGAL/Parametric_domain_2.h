@@ -1,7 +1,14 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_PARAMETRIC_DOMAIN_2_H
 #define CGAL_PARAMETRIC_DOMAIN_2_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Domain_curve_2.h>
 

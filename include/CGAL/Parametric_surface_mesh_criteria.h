@@ -1,7 +1,14 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_PARAMETRIC_SURFACE_MESH_CRITERIA_H
 #define CGAL_PARAMETRIC_SURFACE_MESH_CRITERIA_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Mesh_2/Face_badness.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
@@ -29,6 +36,8 @@ enum class Mesh_criterion
   USER       ///< a criterion of a derived class
 };
 
+namespace Parametric_surface_mesher {
+
 /// \ingroup PkgParametricSurfaceMesherRef
 /// how the boundary division measures the deviation of an edge (paper, section "Curve Division").
 enum class Curve_deviation
@@ -45,6 +54,8 @@ enum class Mesh_point_placement
   OFF_CENTER,   ///< nearer to the shortest edge of a bad triangle, where the new triangle has the wanted angle (Ungor 2004)
   FRONTAL       ///< from the boundary inwards, so that triangles of the wanted size arise; circumcentres for what is left
 };
+
+} // namespace Parametric_surface_mesher
 
 /*!
 \ingroup PkgParametricSurfaceMesherRef
@@ -69,8 +80,8 @@ private:
   double m_size_factor = 0.28, m_closeness = 0, m_growth = 0;
   std::size_t m_max_number_of_vertices = 20000000;
   std::optional<std::size_t> m_part_size; // else by placement
-  Curve_deviation m_curve_deviation = Curve_deviation::HEIGHT_OVER_CHORD;
-  Mesh_point_placement m_placement = Mesh_point_placement::FRONTAL;
+  Parametric_surface_mesher::Curve_deviation m_curve_deviation = Parametric_surface_mesher::Curve_deviation::HEIGHT_OVER_CHORD;
+  Parametric_surface_mesher::Mesh_point_placement m_placement = Parametric_surface_mesher::Mesh_point_placement::FRONTAL;
   std::optional<unsigned int> m_max_number_of_sweeps; // else by patch
   double m_improvement_angle = 40, m_improvement_time = std::numeric_limits<double>::infinity();
   Sizing_field m_sizing_field;
@@ -169,14 +180,14 @@ public:
   }
 
   /// the deviation measure of the boundary division.
-  Parametric_surface_mesh_criteria& set_curve_deviation(Curve_deviation measure)
+  Parametric_surface_mesh_criteria& set_curve_deviation(Parametric_surface_mesher::Curve_deviation measure)
   {
     m_curve_deviation = measure;
     return *this;
   }
 
   /// where new points are put. Default: `FRONTAL`, which gives the best triangles; `CIRCUMCENTER` is the fastest.
-  Parametric_surface_mesh_criteria& set_placement(Mesh_point_placement placement)
+  Parametric_surface_mesh_criteria& set_placement(Parametric_surface_mesher::Mesh_point_placement placement)
   {
     m_placement = placement;
     return *this;
@@ -245,15 +256,15 @@ public:
   double distance() const { return m_distance; }
   double closeness() const { return m_closeness; }
   const Sizing_field& sizing_field() const { return m_sizing_field; }
-  Curve_deviation curve_deviation() const { return m_curve_deviation; }
-  Mesh_point_placement placement() const { return m_placement; }
+  Parametric_surface_mesher::Curve_deviation curve_deviation() const { return m_curve_deviation; }
+  Parametric_surface_mesher::Mesh_point_placement placement() const { return m_placement; }
   const std::optional<unsigned int>& max_number_of_sweeps() const { return m_max_number_of_sweeps; }
   double improvement_angle() const { return m_improvement_angle; }
   double improvement_time() const { return m_improvement_time; }
   std::size_t max_number_of_vertices() const { return m_max_number_of_vertices; }
   std::size_t part_size() const
   {
-    return m_part_size.value_or(m_placement == Mesh_point_placement::FRONTAL ? 100000 : 2000000);
+    return m_part_size.value_or(m_placement == Parametric_surface_mesher::Mesh_point_placement::FRONTAL ? 100000 : 2000000);
   }
   /// @}
 

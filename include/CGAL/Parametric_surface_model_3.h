@@ -1,7 +1,14 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_PARAMETRIC_SURFACE_MODEL_3_H
 #define CGAL_PARAMETRIC_SURFACE_MODEL_3_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Domain_curve_2.h>
 #include <CGAL/Space_curve_3.h>
@@ -28,13 +35,13 @@ it get the same points: their meshes fit without a crack.
 - An edge may be used by three or more faces, or by several shells: see `Face::shell`.
 - Loops of a face may touch in a common vertex.
 
-Meshing begins with `validate()` of `validate_parametric_surface_model.h`: loops must close, and the uses of an edge be the
+Meshing begins with `Parametric_surface_mesher::validate()`: loops must close, and the uses of an edge be the
 same curve in space within the `tolerance()`.
 
 \tparam Surface a model of `ParametricSurface_3`
 
 \sa `CGAL::make_model_of_rectangular_patches()`
-\sa `CGAL::orient_faces()`
+\sa `CGAL::Parametric_surface_mesher::orient_faces()`
 */
 template <class Surface>
 class Parametric_surface_model_3

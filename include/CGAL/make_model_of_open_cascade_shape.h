@@ -1,7 +1,14 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_MAKE_MODEL_OF_OPEN_CASCADE_SHAPE_H
 #define CGAL_MAKE_MODEL_OF_OPEN_CASCADE_SHAPE_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Open_cascade_model_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Shape_model_builder.h>

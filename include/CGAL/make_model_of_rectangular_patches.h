@@ -1,14 +1,21 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_MAKE_MODEL_OF_RECTANGULAR_PATCHES_H
 #define CGAL_MAKE_MODEL_OF_RECTANGULAR_PATCHES_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/curves/Equal_arc_curve.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/curve_box.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/group_points.h>
 #include <CGAL/Parametric_surface_model_3.h>
-#include <CGAL/orient_faces.h>
+#include <CGAL/Parametric_surface_mesher/orient_faces.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -228,7 +235,7 @@ private:
 
 makes a model of patches over rectangles, for instance Bezier patches: boundary curves that are equal within `tolerance`
 become one edge, and sides that are a point become collapsed edges. Two sides of one patch may match too: it closes on
-itself along a seam. Patches are reversed by `orient_faces()`, so that neighbours face to the same side, and closed pieces
+itself along a seam. Patches are reversed by `Parametric_surface_mesher::orient_faces()`, so that neighbours face to the same side, and closed pieces
 outward.
 
 Where three or more patches meet in one curve the mesh is cut: see `Parametric_surface_model_3::Face::shell`.

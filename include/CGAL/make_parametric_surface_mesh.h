@@ -1,7 +1,14 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_MAKE_PARAMETRIC_SURFACE_MESH_H
 #define CGAL_MAKE_PARAMETRIC_SURFACE_MESH_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/First_fundamental_form_metric_2.h>
 #include <CGAL/Parametric_domain_2.h>
@@ -17,7 +24,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/output/Output_maps.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/separate_pieces.h>
 #include <CGAL/Parametric_surface_model_3.h>
-#include <CGAL/validate_parametric_surface_model.h>
+#include <CGAL/Parametric_surface_mesher/validate.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -211,7 +218,7 @@ see `Parametric_surface_model_3::Face::shell`. Of a vertex that several pieces o
 at the end of the vertices. So the mesh is always manifold; for triangles that share all points there is
 `make_parametric_surface_triangle_soup()`.
 
-The model is checked by `validate()` first.
+The model is checked by `Parametric_surface_mesher::validate()` first.
 
 \tparam ConcurrencyTag `Sequential_tag` (default), `Parallel_tag` or `Parallel_if_available_tag`. With threads the faces are
 meshed at the same time, the largest first, and so are the parts of large ones; the mesh is the same. It takes oneTBB

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Parametric_function_surface_3.h>
 #include <CGAL/Parametric_primitive_surfaces_3.h>
-#include <CGAL/divide_curve.h>
+#include <CGAL/Parametric_surface_mesher/divide_curve.h>
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ Criteria equal_pieces(double max_edge)
 template <class Surface, class... Arguments>
 std::vector<double> divide(const Surface& surface, const Curve& curve, const Criteria& criteria, const Arguments&... others)
 {
-  return CGAL::divide_curve(CGAL::Curve_on_surface_3<Surface>(surface, curve), criteria, others...);
+  return CGAL::Parametric_surface_mesher::divide_curve(CGAL::Parametric_surface_mesher::Curve_on_surface_3<Surface>(surface, curve), criteria, others...);
 }
 
 // Compares with the `ceil(length / max_edge)` equal pieces of a curve with the arc length `arc_length(t)`.
@@ -138,7 +138,7 @@ TEST(Divide_curve, halving_by_height_over_radius)
     for(double gamma : {0.5, 0.1, 0.05, 0.01, 0.001})
       for(double min_edge : {0.4, 0.1, 0.001})
         check_halving_of_circle(Criteria().set_max_edge(max_edge).set_min_edge(min_edge).set_gamma(gamma)
-                                  .set_curve_deviation(CGAL::Curve_deviation::HEIGHT_OVER_RADIUS), deviation);
+                                  .set_curve_deviation(CGAL::Parametric_surface_mesher::Curve_deviation::HEIGHT_OVER_RADIUS), deviation);
 }
 
 TEST(Divide_curve, radius_is_that_in_space)
@@ -146,7 +146,7 @@ TEST(Divide_curve, radius_is_that_in_space)
   // a straight line in the domain, on the circle of latitude 60 degrees, whose radius is 1/2
   const Criteria criteria
     = Criteria().set_max_edge(pi / 6).set_min_edge(0.001).set_gamma(0.01).set_curve_deviation(
-      CGAL::Curve_deviation::HEIGHT_OVER_RADIUS);
+      CGAL::Parametric_surface_mesher::Curve_deviation::HEIGHT_OVER_RADIUS);
   const std::size_t n = divide(sphere, Curve::segment(Point_2(0, pi / 3), Point_2(2 * pi, pi / 3)), criteria).size() - 1;
   EXPECT_EQ(24u, n); // 6 pieces, then 1 - cos(pi / n) <= 0.01 from n = 24 on
 }

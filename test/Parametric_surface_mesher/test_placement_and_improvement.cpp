@@ -57,7 +57,7 @@ TEST_P(Sample_shapes, circumcenters_alone)
 {
   const Sample sample = make_sample(GetParam());
   const CGAL::Triangle_mesh_quality q
-    = quality(sample, unimproved(uniform(sample, 5000)).set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER));
+    = quality(sample, unimproved(uniform(sample, 5000)).set_placement(CGAL::Parametric_surface_mesher::Mesh_point_placement::CIRCUMCENTER));
   EXPECT_GT(q.min_angle, 30 - 1e-9);
   EXPECT_GT(q.mean_min_angle, 48);
   EXPECT_GT(q.mean_radius_ratio, 0.91);
@@ -67,7 +67,7 @@ TEST_P(Sample_shapes, off_centers_alone)
 {
   const Sample sample = make_sample(GetParam());
   const CGAL::Triangle_mesh_quality q
-    = quality(sample, unimproved(uniform(sample, 5000)).set_placement(CGAL::Mesh_point_placement::OFF_CENTER));
+    = quality(sample, unimproved(uniform(sample, 5000)).set_placement(CGAL::Parametric_surface_mesher::Mesh_point_placement::OFF_CENTER));
   EXPECT_GT(q.min_angle, 30 - 1e-9);
   EXPECT_GT(q.mean_radius_ratio, 0.9);
 }
@@ -82,7 +82,7 @@ TEST(Circumcenters, cell_by_cell)
     const Sample sample = make_sample(name);
     const double n = 150000;
     const CGAL::Triangle_mesh_quality q
-      = quality(sample, unimproved(uniform(sample, n)).set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER));
+      = quality(sample, unimproved(uniform(sample, n)).set_placement(CGAL::Parametric_surface_mesher::Mesh_point_placement::CIRCUMCENTER));
     EXPECT_LT(double(q.number_of_faces), 1.15 * n) << name; // on `peak` curvature asks for some
     EXPECT_GT(q.min_angle, 30 - 1e-9) << name;
     EXPECT_GT(q.mean_min_angle, 48.3) << name;

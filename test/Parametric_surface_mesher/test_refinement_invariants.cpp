@@ -45,7 +45,7 @@ void check_patches(std::uint64_t seed, int number_of_patches, const Allowance& a
 
 // each patch with another placement, and with or without improvement
 class Placement_invariants
-  : public ::testing::TestWithParam<CGAL::Mesh_point_placement>
+  : public ::testing::TestWithParam<CGAL::Parametric_surface_mesher::Mesh_point_placement>
 {};
 
 TEST_P(Placement_invariants, sums_of_waves)
@@ -83,8 +83,8 @@ TEST_P(Placement_invariants, large_patches)
 }
 
 INSTANTIATE_TEST_SUITE_P(Every_placement, Placement_invariants,
-                         ::testing::Values(CGAL::Mesh_point_placement::CIRCUMCENTER, CGAL::Mesh_point_placement::OFF_CENTER,
-                                           CGAL::Mesh_point_placement::FRONTAL));
+                         ::testing::Values(CGAL::Parametric_surface_mesher::Mesh_point_placement::CIRCUMCENTER, CGAL::Parametric_surface_mesher::Mesh_point_placement::OFF_CENTER,
+                                           CGAL::Parametric_surface_mesher::Mesh_point_placement::FRONTAL));
 
 TEST(Refinement_invariants, sums_of_waves)
 {

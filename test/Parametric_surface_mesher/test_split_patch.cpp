@@ -105,9 +105,9 @@ Domain horseshoe()
 TEST(Split_patch_criteria, size_of_parts_by_placement)
 {
   EXPECT_EQ(100000u, Criteria().part_size());
-  EXPECT_EQ(2000000u, Criteria().set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER).part_size());
-  EXPECT_EQ(2000000u, Criteria().set_placement(CGAL::Mesh_point_placement::OFF_CENTER).part_size());
-  EXPECT_EQ(7u, Criteria().set_part_size(7).set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER).part_size());
+  EXPECT_EQ(2000000u, Criteria().set_placement(CGAL::Parametric_surface_mesher::Mesh_point_placement::CIRCUMCENTER).part_size());
+  EXPECT_EQ(2000000u, Criteria().set_placement(CGAL::Parametric_surface_mesher::Mesh_point_placement::OFF_CENTER).part_size());
+  EXPECT_EQ(7u, Criteria().set_part_size(7).set_placement(CGAL::Parametric_surface_mesher::Mesh_point_placement::CIRCUMCENTER).part_size());
   EXPECT_EQ(0u, Criteria().set_part_size(0).part_size());
 }
 
@@ -279,7 +279,7 @@ TEST(Split_patch_report, names_the_right_triangles)
     sample, criteria_of(sample, part_size)
               .set_angle(bound)
               .set_improvement_angle(0)
-              .set_placement(CGAL::Mesh_point_placement::CIRCUMCENTER)
+              .set_placement(CGAL::Parametric_surface_mesher::Mesh_point_placement::CIRCUMCENTER)
               .set_max_number_of_sweeps(0));
   EXPECT_GE(split.number_of_parts, 4u);
   ASSERT_FALSE(split.report.unmet.empty());

@@ -4,7 +4,7 @@
 // Stress tests: models of several faces and shells, edges with curves of their own, and models that do not fit together.
 #include <CGAL/Bezier_surface_3.h>
 #include <CGAL/make_parametric_surface_triangle_soup.h>
-#include <CGAL/orient_faces.h>
+#include <CGAL/Parametric_surface_mesher/orient_faces.h>
 
 #include <gtest/gtest.h>
 
@@ -369,7 +369,7 @@ TEST(Edges_with_curves, within_a_tolerance_of_the_model)
 TEST(Edges_with_curves, within_a_tolerance_of_the_edge)
 {
   const Model model = two_squares(1e-4, true, 2e-4);
-  EXPECT_NO_THROW(CGAL::validate(model));
+  EXPECT_NO_THROW(CGAL::Parametric_surface_mesher::validate(model));
   Mesh mesh;
   CGAL::make_parametric_surface_mesh(model, fifth, mesh);
   for(const auto v : mesh.vertices())
@@ -449,7 +449,7 @@ TEST(Validation, faces_that_face_to_different_sides)
   Model model = two_squares(0);
   model.faces()[1].is_reversed = true;
   expect_model_refused(model, "faces 0 and 1", "edge 1");
-  CGAL::orient_faces(model);
+  CGAL::Parametric_surface_mesher::orient_faces(model);
   EXPECT_FALSE(model.faces()[1].is_reversed);
   check_two_squares(model);
 }
@@ -502,13 +502,13 @@ TEST(Orientation, cubes_of_all_directions)
     Model model = quads.model();
     EXPECT_EQ(pattern == 0, [&] {
       try {
-        CGAL::validate(model);
+        CGAL::Parametric_surface_mesher::validate(model);
         return true;
       } catch(const CGAL::Parametric_surface_mesh_error&) {
         return false;
       }
     }());
-    CGAL::orient_faces(model);
+    CGAL::Parametric_surface_mesher::orient_faces(model);
     const Meshed m = mesh_and_check(model, fifth);
     expect_topology(m, 1, 0, 2);
     EXPECT_NEAR(1, m.volume(), 1e-9);
@@ -522,7 +522,7 @@ TEST(Orientation, two_cubes_inside_out)
     for(const Quad& q : sides_of_cube(x, 0, 0))
       quads.add({q[3], q[2], q[1], q[0]});
   Model model = quads.model();
-  CGAL::orient_faces(model);
+  CGAL::Parametric_surface_mesher::orient_faces(model);
   const Meshed m = mesh_and_check(model, fifth);
   expect_topology(m, 2, 0, 4);
   EXPECT_NEAR(2, m.volume(), 1e-9);
@@ -532,12 +532,12 @@ TEST(Orientation, rings_that_turn_over)
 {
   Model annulus = twisted_ring(6, 0), twice = twisted_ring(8, 2);
   for(Model* model : {&annulus, &twice}) {
-    CGAL::orient_faces(*model);
+    CGAL::Parametric_surface_mesher::orient_faces(*model);
     const Meshed m = mesh_and_check(*model, Criteria().set_max_edge(0.4));
     expect_topology(m, 1, 2, 0);
   }
   Model moebius = twisted_ring(7, 1);
-  expect_refused([&] { CGAL::orient_faces(moebius); }, "not orientable", "edge");
+  expect_refused([&] { CGAL::Parametric_surface_mesher::orient_faces(moebius); }, "not orientable", "edge");
   expect_model_refused(moebius, "face to different sides");
 }
 
@@ -551,7 +551,7 @@ TEST(Orientation, moebius_strip_of_one_face)
 {
   Model model = strip_of_one_face(1);
   expect_model_refused(model, "faces 0 and 0", "edge 1");
-  expect_refused([&] { CGAL::orient_faces(model); }, "not orientable", "edge 1");
+  expect_refused([&] { CGAL::Parametric_surface_mesher::orient_faces(model); }, "not orientable", "edge 1");
 }
 
 TEST(Solids, box_from_the_samples)

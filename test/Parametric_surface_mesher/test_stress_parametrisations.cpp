@@ -3,7 +3,7 @@
 //
 // Stress tests: parametrisations that are singular inside the patch, change their speed or shear, and splines with creases.
 #include <CGAL/B_spline_surface_3.h>
-#include <CGAL/split_at_creases.h>
+#include <CGAL/Parametric_surface_mesher/split_at_creases.h>
 
 #include <gtest/gtest.h>
 
@@ -301,7 +301,7 @@ double area_of(const Spline& s)
 Model split(const Spline& s)
 {
   std::vector<Patch> patches;
-  for(const auto& piece : CGAL::split_at_creases(s))
+  for(const auto& piece : CGAL::Parametric_surface_mesher::split_at_creases(s))
     patches.emplace_back(Sample_surface(piece), piece.u_min(), piece.u_max(), piece.v_min(), piece.v_max());
   return model_of_patches(patches);
 }
@@ -384,7 +384,7 @@ TEST(Creases, zigzag_inside) { check_crease_inside(zigzag(), 0.1); }
 TEST(Creases, smooth_knots_need_no_split)
 {
   const Spline spline = profile_spline(2, {0, 0, 0, 1, 2, 3, 3, 3}, {0, 0.3, 0, 0.5, 0});
-  EXPECT_EQ(1u, CGAL::split_at_creases(spline).size());
+  EXPECT_EQ(1u, CGAL::Parametric_surface_mesher::split_at_creases(spline).size());
   for(double max_edge : {0.2, 0.05}) {
     const Meshed m = mesh_and_check(Sample_surface(spline), domain_of(spline), Criteria().set_max_edge(max_edge));
     expect_topology(m, 1, 1, 1);

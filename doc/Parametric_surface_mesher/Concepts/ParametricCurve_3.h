@@ -4,7 +4,7 @@
 
 A curve in space that can be divided.
 
-\cgalHasModel `CGAL::Curve_on_surface_3<Surface>`
+\cgalHasModel `CGAL::Parametric_surface_mesher::Curve_on_surface_3<Surface>`
 */
 class ParametricCurve_3
 {

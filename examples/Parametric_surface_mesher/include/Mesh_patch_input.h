@@ -166,9 +166,9 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_patch_opt
     throw Usage_error("--min-edge must not be larger than --max-edge, which is " + std::to_string(max_edge) + " by default");
   criteria.set_max_edge(max_edge);
   criteria.set_min_edge(options.min_edge > 0 ? options.min_edge : max_edge / 200);
-  criteria.set_placement(options.placement == "frontal"      ? CGAL::Mesh_point_placement::FRONTAL
-                         : options.placement == "off-center" ? CGAL::Mesh_point_placement::OFF_CENTER
-                                                             : CGAL::Mesh_point_placement::CIRCUMCENTER);
+  criteria.set_placement(options.placement == "frontal"      ? CGAL::Parametric_surface_mesher::Mesh_point_placement::FRONTAL
+                         : options.placement == "off-center" ? CGAL::Parametric_surface_mesher::Mesh_point_placement::OFF_CENTER
+                                                             : CGAL::Parametric_surface_mesher::Mesh_point_placement::CIRCUMCENTER);
   criteria.set_improvement_angle(options.improvement_angle);
   if(options.sweeps)
     criteria.set_max_number_of_sweeps(*options.sweeps);

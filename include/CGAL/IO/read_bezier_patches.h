@@ -1,7 +1,14 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_IO_READ_BEZIER_PATCHES_H
 #define CGAL_IO_READ_BEZIER_PATCHES_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Bezier_surface_3.h>
 #include <CGAL/Parametric_surface_mesh_error.h>

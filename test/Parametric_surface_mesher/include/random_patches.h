@@ -251,7 +251,7 @@ private:
     if(m_random.integer(4) == 0)
       criteria.set_distance(max_edge * m_random.real(0.005, 0.1));
     if(m_random.integer(4) == 0)
-      criteria.set_curve_deviation(CGAL::Curve_deviation::HEIGHT_OVER_RADIUS);
+      criteria.set_curve_deviation(CGAL::Parametric_surface_mesher::Curve_deviation::HEIGHT_OVER_RADIUS);
     if(m_random.integer(4) == 0)
       criteria.set_sizing_field([max_edge](double u, double v) { return max_edge * (0.6 + 0.3 * std::sin(u + v)); });
     return criteria;

@@ -1,11 +1,16 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CURVES_EQUAL_ARC_CURVE_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CURVES_EQUAL_ARC_CURVE_H
 
 #include <CGAL/Domain_curve_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/curves/Arc_length.h>
-#include <CGAL/divide_curve.h>
+#include <CGAL/Parametric_surface_mesher/divide_curve.h>
 
 #include <cmath>
 #include <functional>

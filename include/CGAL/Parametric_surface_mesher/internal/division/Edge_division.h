@@ -1,5 +1,10 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_EDGE_DIVISION_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_EDGE_DIVISION_H
 
@@ -11,7 +16,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/model/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
 #include <CGAL/Parametric_surface_model_3.h>
-#include <CGAL/divide_curve.h>
+#include <CGAL/Parametric_surface_mesher/divide_curve.h>
 
 #include <algorithm>
 #include <cmath>

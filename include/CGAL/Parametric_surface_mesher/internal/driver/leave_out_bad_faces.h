@@ -1,5 +1,10 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DRIVER_LEAVE_OUT_BAD_FACES_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DRIVER_LEAVE_OUT_BAD_FACES_H
 
@@ -7,7 +12,7 @@
 #include <CGAL/Parametric_surface_mesh_parameters.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_model_3.h>
-#include <CGAL/validate_parametric_surface_model.h>
+#include <CGAL/Parametric_surface_mesher/validate.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -1,12 +1,17 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_CURVE_BOX_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_CURVE_BOX_H
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
 #include <CGAL/Parametric_surface_model_3.h>
-#include <CGAL/divide_curve.h>
+#include <CGAL/Parametric_surface_mesher/divide_curve.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>

@@ -1,12 +1,17 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_SHAPE_MODEL_BUILDER_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_SHAPE_MODEL_BUILDER_H
 
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
-#include <CGAL/orient_faces.h>
+#include <CGAL/Parametric_surface_mesher/orient_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
 #include <CGAL/Open_cascade_model_3.h>

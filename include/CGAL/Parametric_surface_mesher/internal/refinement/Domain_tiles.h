@@ -1,5 +1,10 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_REFINEMENT_DOMAIN_TILES_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_REFINEMENT_DOMAIN_TILES_H
 

@@ -1,7 +1,14 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_SPLIT_AT_CREASES_H
-#define CGAL_SPLIT_AT_CREASES_H
+
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_SPLIT_AT_CREASES_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_SPLIT_AT_CREASES_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/B_spline_surface_3.h>
 #include <CGAL/Rectangular_patch_3.h>
@@ -11,8 +18,8 @@
 #include <vector>
 
 namespace CGAL {
-
 namespace Parametric_surface_mesher {
+
 namespace internal {
 
 // `min`, the knots between `min` and `max` where a spline is only continuous, `max`.
@@ -30,7 +37,6 @@ inline std::vector<double> smooth_intervals(const std::vector<double>& knots, in
 }
 
 } // namespace internal
-} // namespace Parametric_surface_mesher
 
 /*!
 \ingroup PkgParametricSurfaceMesherSurfaces
@@ -46,7 +52,7 @@ Knots of lower multiplicity, where only higher derivatives jump, need no splitti
 template <class Kernel>
 std::vector<Rectangular_patch_3<B_spline_surface_3<Kernel>>> split_at_creases(const B_spline_surface_3<Kernel>& surface)
 {
-  using Parametric_surface_mesher::internal::smooth_intervals;
+  using internal::smooth_intervals;
   const auto u = smooth_intervals(surface.knots_u(), surface.degree_u(), surface.u_min(), surface.u_max()),
              v = smooth_intervals(surface.knots_v(), surface.degree_v(), surface.v_min(), surface.v_max());
   std::vector<Rectangular_patch_3<B_spline_surface_3<Kernel>>> result;
@@ -56,6 +62,7 @@ std::vector<Rectangular_patch_3<B_spline_surface_3<Kernel>>> split_at_creases(co
   return result;
 }
 
+} // namespace Parametric_surface_mesher
 } // namespace CGAL
 
-#endif // CGAL_SPLIT_AT_CREASES_H
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_SPLIT_AT_CREASES_H

@@ -1,7 +1,14 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_ORIENT_FACES_H
-#define CGAL_ORIENT_FACES_H
+
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_ORIENT_FACES_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_ORIENT_FACES_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
@@ -13,8 +20,8 @@
 #include <vector>
 
 namespace CGAL {
-
 namespace Parametric_surface_mesher {
+
 namespace internal {
 
 // Reverses faces of a model so that neighbours face to the same side, and closed pieces outward.
@@ -92,7 +99,6 @@ private:
 };
 
 } // namespace internal
-} // namespace Parametric_surface_mesher
 
 /*!
 \ingroup PkgParametricSurfaceMesherModel
@@ -110,10 +116,11 @@ Complexity: linear in the number of faces and edge uses.
 template <class Surface>
 void orient_faces(Parametric_surface_model_3<Surface>& model)
 {
-  Parametric_surface_mesher::internal::Face_orientation<Parametric_surface_model_3<Surface>> orient(model);
+  internal::Face_orientation<Parametric_surface_model_3<Surface>> orient(model);
   orient();
 }
 
+} // namespace Parametric_surface_mesher
 } // namespace CGAL
 
-#endif // CGAL_ORIENT_FACES_H
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_ORIENT_FACES_H

@@ -1,7 +1,14 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_DIVIDE_CURVE_H
-#define CGAL_DIVIDE_CURVE_H
+
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_DIVIDE_CURVE_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_DIVIDE_CURVE_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Domain_curve_2.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
@@ -21,6 +28,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Parametric_surface_mesher {
 
 /*!
 \ingroup PkgParametricSurfaceMesherDomain
@@ -95,7 +103,6 @@ private:
   }
 };
 
-namespace Parametric_surface_mesher {
 namespace internal {
 
 // The positions, as arc lengths, that divide one curve (paper, section "Curve Division").
@@ -244,7 +251,6 @@ private:
 };
 
 } // namespace internal
-} // namespace Parametric_surface_mesher
 
 /*!
 \ingroup PkgParametricSurfaceMesherDomain
@@ -275,13 +281,13 @@ std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_me
 {
   CGAL_precondition(number_of_edges > 0 || (criteria.max_edge() > 0 && criteria.min_edge() > 0));
   const auto speed = [&curve](double t) { return curve.speed(t); };
-  typedef Parametric_surface_mesher::internal::Arc_length<decltype(speed)> Arc_length;
+  typedef internal::Arc_length<decltype(speed)> Arc_length;
   Arc_length arc_length(speed, curve.begin(), curve.end(), 4);
   arc_length.refine(std::size_t((std::min)(arc_length.length() / (8 * criteria.max_edge()), 1e5)));
   if(!(arc_length.length() > 0))
     return {curve.begin(), curve.end()};
 
-  Parametric_surface_mesher::internal::Curve_division<Curve, Arc_length, Size> division(curve, arc_length, size, criteria);
+  internal::Curve_division<Curve, Arc_length, Size> division(curve, arc_length, size, criteria);
   if(number_of_edges > 0) {
     division.divide_equally(number_of_edges);
     return division.parameters();
@@ -289,7 +295,7 @@ std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_me
   // the tolerance keeps a length of exactly n edges from becoming n + 1
   const double pieces = std::ceil(arc_length.length() / criteria.max_edge() * (1 - 1e-9));
   if(!(pieces <= double(criteria.max_number_of_vertices())))
-    throw Parametric_surface_mesh_error("the maximum edge length " + Parametric_surface_mesher::internal::describe(criteria.max_edge())
+    throw Parametric_surface_mesh_error("the maximum edge length " + internal::describe(criteria.max_edge())
                                         + " divides a boundary curve into more pieces than the allowed number of vertices");
   division.divide_equally((std::max)(std::size_t(pieces), min_number_of_edges));
   division.halve();
@@ -304,6 +310,7 @@ std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_me
   return divide_curve(curve, criteria, [](double) { return std::numeric_limits<double>::infinity(); });
 }
 
+} // namespace Parametric_surface_mesher
 } // namespace CGAL
 
-#endif // CGAL_DIVIDE_CURVE_H
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_DIVIDE_CURVE_H

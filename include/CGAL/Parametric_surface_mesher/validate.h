@@ -1,7 +1,14 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_VALIDATE_PARAMETRIC_SURFACE_MODEL_H
-#define CGAL_VALIDATE_PARAMETRIC_SURFACE_MODEL_H
+
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_VALIDATE_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_VALIDATE_H
+
+#include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
@@ -17,8 +24,8 @@
 #include <string>
 
 namespace CGAL {
-
 namespace Parametric_surface_mesher {
+
 namespace internal {
 
 // Checks that the parts of a model fit together.
@@ -186,7 +193,6 @@ private:
 };
 
 } // namespace internal
-} // namespace Parametric_surface_mesher
 
 /*!
 \ingroup PkgParametricSurfaceMesherModel
@@ -204,10 +210,11 @@ Complexity: linear in the number of edge uses, apart from looking them up by she
 template <class Surface>
 void validate(const Parametric_surface_model_3<Surface>& model)
 {
-  Parametric_surface_mesher::internal::Model_validation<Surface> check(model);
+  internal::Model_validation<Surface> check(model);
   check();
 }
 
+} // namespace Parametric_surface_mesher
 } // namespace CGAL
 
-#endif // CGAL_VALIDATE_PARAMETRIC_SURFACE_MODEL_H
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_VALIDATE_H
