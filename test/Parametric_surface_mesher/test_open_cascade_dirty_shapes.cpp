@@ -89,6 +89,23 @@ TEST(Dirty_shapes, missing_curves_in_the_domain_are_rebuilt)
   EXPECT_EQ(Cad_mesh_judge(cylinder_face(), meshed.judged())().text(), "ok");
 }
 
+// A loop may run against its curves, in each of the eight ways that three edges can be directed.
+TEST(Dirty_shapes, triangles_with_edges_in_mixed_directions)
+{
+  const std::vector<gp_Pnt> corners{gp_Pnt(0, 0, 0), gp_Pnt(3, 0, 0), gp_Pnt(1, 2, 0)};
+  for(unsigned int directions = 0; directions < 8; ++directions) {
+    BRepBuilderAPI_MakeWire wire;
+    for(unsigned int i = 0; i < 3; ++i) {
+      const gp_Pnt &p = corners[i], &q = corners[(i + 1) % 3];
+      wire.Add((directions >> i & 1) == 0 ? BRepBuilderAPI_MakeEdge(p, q).Edge() : BRepBuilderAPI_MakeEdge(q, p).Edge());
+    }
+    const Meshed_shape meshed(face_of(wire.Wire(), new Geom_Plane(gp_Pln())));
+    EXPECT_TRUE(meshed.shape.left_out.empty()) << directions;
+    EXPECT_NEAR(meshed.quality.area, 3, 1e-9) << directions;
+    EXPECT_GT(meshed.quality.min_angle, 30) << directions;
+  }
+}
+
 TEST(Dirty_shapes, curves_in_the_domain_that_are_far_off_are_rebuilt)
 {
   const TopoDS_Face face = cylinder_face();

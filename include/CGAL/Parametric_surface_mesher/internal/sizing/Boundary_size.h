@@ -23,13 +23,14 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Some points of a curve, for boxes and areas.
+// Some points of a curve with both its ends, for boxes and areas. A loop may run against its curves, so that neither end is
+// sure to begin another one.
 template <class Kernel>
 std::vector<typename Kernel::Point_2> sample(const Domain_curve_2<Kernel>& curve)
 {
   const int n = curve.is_straight() ? 1 : 32;
   std::vector<typename Kernel::Point_2> result;
-  for(int i = 0; i < n; ++i)
+  for(int i = 0; i <= n; ++i)
     result.push_back(curve.point(curve.begin() + (curve.end() - curve.begin()) * i / n));
   return result;
 }
@@ -38,8 +39,7 @@ std::vector<typename Kernel::Point_2> sample(const Domain_curve_2<Kernel>& curve
 template <class Kernel>
 double double_area_seen_from(const typename Kernel::Point_2& origin, const Domain_curve_2<Kernel>& curve)
 {
-  auto points = sample(curve);
-  points.push_back(curve.target());
+  const auto points = sample(curve);
   double sum = 0;
   for(std::size_t i = 0; i + 1 < points.size(); ++i) {
     const auto p = points[i] - origin, q = points[i + 1] - origin;
