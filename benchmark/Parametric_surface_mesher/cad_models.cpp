@@ -7,32 +7,20 @@
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_result.h"
 #include "Text_table.h"
+#include "text_in_process.h"
 
 #include "Cad_mesh_judge.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 namespace {
 
 const unsigned int seconds_for_a_model = 60;
-
-std::string text(const char* format, double value)
-{
-  char buffer[64];
-  std::snprintf(buffer, sizeof(buffer), format, value);
-  return buffer;
-}
 
 std::string verdict_text(const Mesh_cad_result& result, const Cad_mesh_verdict& verdict)
 {
@@ -58,63 +46,19 @@ std::string cells(const std::string& file_name)
   std::ostringstream out;
   out << mesh_cad::number_of_meshed_faces(result) << "/" << result.shape.number_of_shape_faces << "\t"
       << (verdict.is_closed() ? "yes" : "no") << "/" << (verdict.is_shape_closed ? "yes" : "no") << "\t"
-      << verdict_text(result, verdict) << "\t" << result.quality.number_of_faces << "\t" << text("%.2f", seconds) << "\t"
-      << text("%.0fk", triangles / seconds / 1000) << "\t" << text("%.3g", result.quality.min_angle) << "\t"
-      << text("%.3g", result.measures.min_angle_apart) << "\t"
-      << text("%.3g", 100. * result.measures.below_10 / triangles) << "\t"
-      << text("%.3g", 100. * (result.measures.below_10 - result.measures.below_10_at_corners) / triangles) << "\t"
-      << text("%.1f", result.quality.mean_min_angle) << "\t" << text("%.2e", verdict.deviation);
+      << verdict_text(result, verdict) << "\t" << result.quality.number_of_faces << "\t" << text_of_number("%.2f", seconds) << "\t"
+      << text_of_number("%.0fk", triangles / seconds / 1000) << "\t" << text_of_number("%.3g", result.quality.min_angle) << "\t"
+      << text_of_number("%.3g", result.measures.min_angle_apart) << "\t"
+      << text_of_number("%.3g", 100. * result.measures.below_10 / triangles) << "\t"
+      << text_of_number("%.3g", 100. * (result.measures.below_10 - result.measures.below_10_at_corners) / triangles) << "\t"
+      << text_of_number("%.1f", result.quality.mean_min_angle) << "\t" << text_of_number("%.2e", verdict.deviation);
   return out.str();
-}
-
-// What `cells` returns or throws, from a process of its own.
-std::string cells_in_process(const std::string& file_name)
-{
-  int ends[2];
-  if(pipe(ends) != 0)
-    return "no pipe";
-  const pid_t child = fork();
-  if(child == 0) {
-    const rlimit limit = {seconds_for_a_model, seconds_for_a_model};
-    setrlimit(RLIMIT_CPU, &limit);
-    std::string result;
-    try {
-      result = cells(file_name);
-    }
-    catch(const std::exception& error) {
-      result = std::string("-\t-\tERROR ") + error.what();
-    }
-    const bool is_written = write(ends[1], result.data(), result.size()) == ssize_t(result.size());
-    _exit(is_written ? 0 : 1);
-  }
-  close(ends[1]);
-  std::string result;
-  char buffer[4096];
-  for(ssize_t n; (n = read(ends[0], buffer, sizeof(buffer))) > 0;)
-    result.append(buffer, std::size_t(n));
-  close(ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return !WIFSIGNALED(status) ? result : WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL ? "-\t-\tTIMEOUT" : "-\t-\tCRASH";
-}
-
-std::vector<std::string> files_in(const std::string& folder)
-{
-  std::vector<std::string> result;
-  for(const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string ending = entry.path().extension().string();
-    for(const char* known : {".step", ".stp", ".iges", ".igs", ".brep", ".rle"})
-      if(ending == known)
-        result.push_back(entry.path().string());
-  }
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 Text_table::Line line(const std::string& file_name, std::size_t number_of_cells)
 {
   Text_table::Line result(1, std::filesystem::path(file_name).filename().string());
-  std::istringstream in(cells_in_process(file_name));
+  std::istringstream in(text_in_process(seconds_for_a_model, [&] { return cells(file_name); }));
   for(std::string cell; std::getline(in, cell, '\t');)
     result.push_back(cell);
   result.resize(number_of_cells);
@@ -135,7 +79,7 @@ int main(int argc, char** argv)
   const Text_table::Line titles = {"model", "faces", "closed", "verdict", "triangles", "CPU s", "per s", "min angle", "apart",
                                    "% <10", "not at corners", "mean min angle", "deviation"};
   Text_table table(titles);
-  for(const std::string& file : files_in(arguments.back()))
+  for(const std::string& file : cad_files_in(arguments.back()))
     table.add_line(line(file, titles.size()));
   table.print(std::cout, is_markdown ? Text_table::MARKDOWN : Text_table::PLAIN);
   return 0;
