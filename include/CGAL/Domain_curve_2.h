@@ -11,7 +11,7 @@
 #include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/assertions.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
 
 #include <boost/math/differentiation/autodiff.hpp>
 
@@ -56,12 +56,12 @@ public:
   /*!
   the curve `jet(t)` for `t` from `begin` to `end`, its derivatives given with it.
   \param jet a callable that returns a `Jet` for a `double`
-  \pre `begin != end`
+  \throws Parametric_surface_mesh_error if `begin` and `end` are not finite or are equal
   */
   Domain_curve_2(std::function<Jet(double)> jet, double begin, double end)
     : m_jet(std::move(jet)), m_begin(begin), m_end(end)
   {
-    CGAL_precondition(begin != end);
+    Parametric_surface_mesher::internal::check_range_of_curve(begin, end);
     m_source = m_jet(begin).point;
     m_target = m_jet(end).point;
   }
@@ -77,10 +77,10 @@ public:
   }
 
   /// the arc about `center` from angle `begin` to angle `end` (radians; clockwise if `end < begin`).
-  /// \pre `radius > 0`
+  /// \throws Parametric_surface_mesh_error if `radius` is not positive and finite, or as above
   static Domain_curve_2 arc(const Point_2& center, double radius, double begin, double end)
   {
-    CGAL_precondition(radius > 0);
+    Parametric_surface_mesher::internal::check_positive_and_finite("radius of an arc", radius);
     return Domain_curve_2(
       [center, radius](double t) {
         const double c = radius * std::cos(t), s = radius * std::sin(t);

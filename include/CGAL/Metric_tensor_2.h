@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Parametric_surface_mesher.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -47,11 +47,11 @@ public:
   the tensor whose circles are ellipses with the major axis at angle `alpha` (radians) to the `u` axis and
   the ratio `k` of major to minor half axis. The eigenvalue along the major axis is 1, across it `k^2`
   (paper, eq. 5, where the implicit form is then `d^T M d = D` with `D = A^2`).
-  \pre `k > 0`
+  \throws Parametric_surface_mesh_error if `k` is not positive and finite
   */
   static Metric_tensor_2 from_ellipse(double alpha, double k)
   {
-    CGAL_precondition(k > 0);
+    Parametric_surface_mesher::internal::check_positive_and_finite("ratio of the half axes", k);
     const double c = std::cos(alpha), s = std::sin(alpha), kk = k * k;
     return Metric_tensor_2(c * c + kk * s * s, (1 - kk) * s * c, s * s + kk * c * c);
   }

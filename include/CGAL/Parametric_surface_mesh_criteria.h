@@ -11,17 +11,21 @@
 #include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Mesh_2/Face_badness.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/Mesh_options.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace CGAL {
 
@@ -36,32 +40,13 @@ enum class Mesh_criterion
   USER       ///< a criterion of a derived class
 };
 
-namespace Parametric_surface_mesher {
-
-/// \ingroup PkgParametricSurfaceMesherRef
-/// how the boundary division measures the deviation of an edge (paper, section "Curve Division").
-enum class Curve_deviation
-{
-  HEIGHT_OVER_CHORD, ///< `H/L`, arc height over chord length: the paper's simplified form
-  HEIGHT_OVER_RADIUS ///< `H/R`, arc height over the curvature radius at the middle
-};
-
-/// \ingroup PkgParametricSurfaceMesherRef
-/// where the refinement puts new points.
-enum class Mesh_point_placement
-{
-  CIRCUMCENTER, ///< at the centre of a bad triangle's circumellipse: the paper's
-  OFF_CENTER,   ///< nearer to the shortest edge of a bad triangle, where the new triangle has the wanted angle (Ungor 2004)
-  FRONTAL       ///< from the boundary inwards, so that triangles of the wanted size arise; circumcentres for what is left
-};
-
-} // namespace Parametric_surface_mesher
-
 /*!
 \ingroup PkgParametricSurfaceMesherRef
 
 What a mesh must meet. All lengths are in the unit of the surface. A default constructed object asks for a smallest angle
 of 30 degrees, a deviation ratio of 0.05, and sizes from the extent of the boundary.
+
+The values come in four groups: sizes, tolerances, improvement, and execution. Each value is checked when it is set.
 
 To add a criterion, derive from this class and give it a class template `Is_bad` that derives from
 `Parametric_surface_mesh_criteria::Is_bad`, as one extends a model of `MeshingCriteria_2`.
@@ -71,90 +56,88 @@ To add a criterion, derive from this class and give it a class template `Is_bad`
 class Parametric_surface_mesh_criteria
 {
 public:
-  /// the wanted edge length at the parameters `(u,v)`.
-  typedef std::function<double(double u, double v)> Sizing_field;
+  /// the wanted edge length at the parameters `(u,v)`: a `std::function<double(double, double)>`.
+  typedef Parametric_surface_mesher::Sizing_options::Sizing_field Sizing_field;
 
 private:
-  double m_max_edge = 0, m_min_edge = 0;
-  double m_gamma = 0.05, m_angle = 30, m_distance = 0;
-  double m_size_factor = 0.28, m_closeness = 0, m_growth = 0;
-  std::size_t m_max_number_of_vertices = 20000000;
-  std::optional<std::size_t> m_part_size; // else by placement
-  Parametric_surface_mesher::Curve_deviation m_curve_deviation = Parametric_surface_mesher::Curve_deviation::HEIGHT_OVER_CHORD;
-  Parametric_surface_mesher::Mesh_point_placement m_placement = Parametric_surface_mesher::Mesh_point_placement::FRONTAL;
-  std::optional<unsigned int> m_max_number_of_sweeps; // else by patch
-  double m_improvement_angle = 40, m_improvement_time = std::numeric_limits<double>::infinity();
-  Sizing_field m_sizing_field;
+  Parametric_surface_mesher::Sizing_options m_sizing;
+  Parametric_surface_mesher::Tolerance_options m_tolerances;
+  Parametric_surface_mesher::Improvement_options m_improvement;
+  Parametric_surface_mesher::Execution_options m_execution;
 
 public:
   /// \name Criteria
-  /// Each function sets one value and returns the object, so that calls chain.
+  /// Each function sets one value and returns the object, so that calls chain. A value out of its range throws a
+  /// `Parametric_surface_mesh_error` that tells both, with and without `NDEBUG`, and leaves the object as it was.
   /// @{
 
   /// the wanted edge length where nothing asks for less, and the longest edge of the boundary division.
   /// Default: 1/20 of the diagonal of the boundary's bounding box.
-  /// \pre `length > 0`
+  /// Range: positive and finite.
   Parametric_surface_mesh_criteria& set_max_edge(double length)
   {
-    CGAL_precondition(length > 0 && std::isfinite(length));
-    m_max_edge = length;
+    Parametric_surface_mesher::internal::check_positive_and_finite("maximum edge length", length);
+    m_sizing.max_edge = length;
     return *this;
   }
 
   /// the shortest length that edges are divided into: an edge is not divided for the sake of deviation, on the boundary or
   /// inside, if it is shorter than twice this; and no two inner points are closer to each other. Default: 1/200 of
   /// `max_edge()`, or of the default of that if it is smaller.
-  /// \pre `length > 0`
+  /// Range: positive and finite.
   Parametric_surface_mesh_criteria& set_min_edge(double length)
   {
-    CGAL_precondition(length > 0 && std::isfinite(length));
-    m_min_edge = length;
+    Parametric_surface_mesher::internal::check_positive_and_finite("minimum edge length", length);
+    m_sizing.min_edge = length;
     return *this;
   }
 
-  /// the bound `gamma` of the deviation ratio `H/L`. Default: 0.05. \pre `gamma > 0`
+  /// the bound `gamma` of the deviation ratio `H/L`. Default: 0.05. Range: positive;
+  /// with infinity the ratio does not count.
   Parametric_surface_mesh_criteria& set_gamma(double gamma)
   {
-    CGAL_precondition(gamma > 0);
-    m_gamma = gamma;
+    Parametric_surface_mesher::internal::check_positive("deviation ratio gamma", gamma);
+    m_tolerances.gamma = gamma;
     return *this;
   }
 
   /// the bound of the smallest angle, in degrees. Default: 30. Above some 33 degrees refinement
-  /// alone need not succeed; what is left is reported. \pre `0 <= degrees < 60`
+  /// alone need not succeed; what is left is reported. Range: at least 0 and below 60.
   Parametric_surface_mesh_criteria& set_angle(double degrees)
   {
-    CGAL_precondition(degrees >= 0 && degrees < 60);
-    m_angle = degrees;
+    Parametric_surface_mesher::internal::check_smallest_angle("smallest angle", degrees);
+    m_tolerances.angle = degrees;
     return *this;
   }
 
   /// the factor `C` of the size criterion (paper, eq. 3): a triangle is too large if its circumradius is above
   /// `C (S_1 + S_2 + S_3)`, or above 0.91 of that if it has an angle below 46 degrees. With the default the number of
-  /// triangles is that of equilateral ones with the wanted edge length. Default: 0.28. \pre `c > 0`
+  /// triangles is that of equilateral ones with the wanted edge length. Default: 0.28.
+  /// Range: positive and finite.
   Parametric_surface_mesh_criteria& set_size_factor(double c)
   {
-    CGAL_precondition(c > 0);
-    m_size_factor = c;
+    Parametric_surface_mesher::internal::check_positive_and_finite("size factor", c);
+    m_sizing.size_factor = c;
     return *this;
   }
 
   /// by how much the spacing grows inside, as a share of the distance from where it is given, up to `max_edge()`. With 0 the
   /// spacing inside is a mean of that on the boundary (paper, eq. 2), so that a fine boundary all around makes a fine mesh.
-  /// Values up to some 0.2 leave room for angles of 30 degrees. Default: 0. \pre `growth >= 0`
+  /// Values up to some 0.2 leave room for angles of 30 degrees. Default: 0. Range: at least 0 and
+  /// finite.
   Parametric_surface_mesh_criteria& set_growth(double growth)
   {
-    CGAL_precondition(growth >= 0);
-    m_growth = growth;
+    Parametric_surface_mesher::internal::check_not_negative_and_finite("growth", growth);
+    m_sizing.growth = growth;
     return *this;
   }
 
   /// the bound of the distance from the surface to a triangle, sampled at its edge middles and its centroid.
-  /// Default: none. \pre `distance > 0`
+  /// Default: none. Range: positive.
   Parametric_surface_mesh_criteria& set_distance(double distance)
   {
-    CGAL_precondition(distance > 0);
-    m_distance = distance;
+    Parametric_surface_mesher::internal::check_positive("distance", distance);
+    m_tolerances.distance = distance;
     return *this;
   }
 
@@ -164,32 +147,32 @@ public:
   /// a row are replaced by as many more as have room, and points are moved along narrow faces to where they are opposite to
   /// the middles of pieces. The points of an edge stay the same for all its faces.
   /// Narrow faces get triangles without small angles so, and more of them. Values around 1.8 leave room for angles of 30
-  /// degrees. Default: 0, the division does not look at the width. \pre `c > 0`
+  /// degrees. By default the division does not look at the width. Range: positive.
   Parametric_surface_mesh_criteria& set_closeness(double c)
   {
-    CGAL_precondition(c > 0);
-    m_closeness = c;
+    Parametric_surface_mesher::internal::check_positive("closeness", c);
+    m_sizing.closeness = c;
     return *this;
   }
 
   /// a field of wanted edge lengths, which bounds the spacing together with `max_edge()`. Its values must be positive.
   Parametric_surface_mesh_criteria& set_sizing_field(Sizing_field field)
   {
-    m_sizing_field = std::move(field);
+    m_sizing.field = field ? std::make_shared<const Sizing_field>(std::move(field)) : nullptr;
     return *this;
   }
 
   /// the deviation measure of the boundary division.
   Parametric_surface_mesh_criteria& set_curve_deviation(Parametric_surface_mesher::Curve_deviation measure)
   {
-    m_curve_deviation = measure;
+    m_tolerances.curve_deviation = measure;
     return *this;
   }
 
   /// where new points are put. Default: `FRONTAL`, which gives the best triangles; `CIRCUMCENTER` is the fastest.
   Parametric_surface_mesh_criteria& set_placement(Parametric_surface_mesher::Mesh_point_placement placement)
   {
-    m_placement = placement;
+    m_improvement.placement = placement;
     return *this;
   }
 
@@ -201,33 +184,34 @@ public:
   /// smallest angle by 0.6 to 1.5 degrees, and takes 1.4 to 2.3 times as long.
   Parametric_surface_mesh_criteria& set_max_number_of_sweeps(unsigned int n)
   {
-    m_max_number_of_sweeps = n;
+    m_improvement.max_number_of_sweeps = n;
     return *this;
   }
 
   /// the smallest angle, in degrees, that is aimed at after refinement, by moves and flips around the triangles below it.
   /// It is no criterion: what misses it is not reported. 0 to improve only triangles that fail a criterion. Default: 40.
-  /// \pre `0 <= degrees < 60`
+  /// Range: at least 0 and below 60.
   Parametric_surface_mesh_criteria& set_improvement_angle(double degrees)
   {
-    CGAL_precondition(degrees >= 0 && degrees < 60);
-    m_improvement_angle = degrees;
+    Parametric_surface_mesher::internal::check_smallest_angle("improvement angle", degrees);
+    m_improvement.angle = degrees;
     return *this;
   }
 
   /// a limit of the time spent on the improvement of each patch, in seconds, after which no sweep begins and no
-  /// triangle is improved; with it the mesh depends on the speed of the machine. Default: none. \pre `seconds >= 0`
+  /// triangle is improved; with it the mesh depends on the speed of the machine. Default: none. Range: at
+  /// least 0.
   Parametric_surface_mesh_criteria& set_improvement_time(double seconds)
   {
-    CGAL_precondition(seconds >= 0);
-    m_improvement_time = seconds;
+    Parametric_surface_mesher::internal::check_not_negative("improvement time", seconds);
+    m_improvement.time = seconds;
     return *this;
   }
 
   /// the last guard against a mesh too large for the machine: a limit on the vertices of each patch. Default: 20 million.
   Parametric_surface_mesh_criteria& set_max_number_of_vertices(std::size_t n)
   {
-    m_max_number_of_vertices = n;
+    m_execution.max_number_of_vertices = n;
     return *this;
   }
 
@@ -239,35 +223,58 @@ public:
   /// which are placed cell by cell of the domain whatever the size, so that parts are for threads alone.
   Parametric_surface_mesh_criteria& set_part_size(std::size_t number_of_triangles)
   {
-    m_part_size = number_of_triangles;
+    m_execution.part_size = number_of_triangles;
     return *this;
   }
   /// @}
 
   /// \name Access
-  /// A length of 0, and no number of sweeps, mean that the default is to be taken.
   /// @{
-  double max_edge() const { return m_max_edge; }
-  double min_edge() const { return m_min_edge; }
-  double gamma() const { return m_gamma; }
-  double angle() const { return m_angle; }
-  double size_factor() const { return m_size_factor; }
-  double growth() const { return m_growth; }
-  double distance() const { return m_distance; }
-  double closeness() const { return m_closeness; }
-  const Sizing_field& sizing_field() const { return m_sizing_field; }
-  Parametric_surface_mesher::Curve_deviation curve_deviation() const { return m_curve_deviation; }
-  Parametric_surface_mesher::Mesh_point_placement placement() const { return m_placement; }
-  const std::optional<unsigned int>& max_number_of_sweeps() const { return m_max_number_of_sweeps; }
-  double improvement_angle() const { return m_improvement_angle; }
-  double improvement_time() const { return m_improvement_time; }
-  std::size_t max_number_of_vertices() const { return m_max_number_of_vertices; }
+
+  /// the groups of values.
+  const Parametric_surface_mesher::Sizing_options& sizing() const { return m_sizing; }
+  const Parametric_surface_mesher::Tolerance_options& tolerances() const { return m_tolerances; }
+  const Parametric_surface_mesher::Improvement_options& improvement() const { return m_improvement; }
+  const Parametric_surface_mesher::Execution_options& execution() const { return m_execution; }
+
+  /// the maximum edge length. The mesher fills in the default before anything else sees the criteria; in those of a user
+  /// `sizing().max_edge` tells whether there is one.
+  /// \throws Parametric_surface_mesh_error if it has not been set
+  double max_edge() const { return length("maximum", m_sizing.max_edge); }
+
+  /// the minimum edge length, with the same remarks.
+  double min_edge() const { return length("minimum", m_sizing.min_edge); }
+
+  double gamma() const { return m_tolerances.gamma; }
+  double angle() const { return m_tolerances.angle; }
+  double size_factor() const { return m_sizing.size_factor; }
+  double growth() const { return m_sizing.growth; }
+  const std::optional<double>& distance() const { return m_tolerances.distance; }
+  const std::optional<double>& closeness() const { return m_sizing.closeness; }
+  /// the sizing field, or null.
+  const std::shared_ptr<const Sizing_field>& sizing_field() const { return m_sizing.field; }
+  Parametric_surface_mesher::Curve_deviation curve_deviation() const { return m_tolerances.curve_deviation; }
+  Parametric_surface_mesher::Mesh_point_placement placement() const { return m_improvement.placement; }
+  const std::optional<unsigned int>& max_number_of_sweeps() const { return m_improvement.max_number_of_sweeps; }
+  double improvement_angle() const { return m_improvement.angle; }
+  double improvement_time() const { return m_improvement.time; }
+  std::size_t max_number_of_vertices() const { return m_execution.max_number_of_vertices; }
   std::size_t part_size() const
   {
-    return m_part_size.value_or(m_placement == Parametric_surface_mesher::Mesh_point_placement::FRONTAL ? 100000 : 2000000);
+    return m_execution.part_size.value_or(
+      placement() == Parametric_surface_mesher::Mesh_point_placement::FRONTAL ? 100000 : 2000000);
   }
   /// @}
 
+private:
+  static double length(const char* which, const std::optional<double>& length)
+  {
+    if(!length)
+      throw Parametric_surface_mesh_error(std::string("the ") + which + " edge length has not been set");
+    return *length;
+  }
+
+public:
   /// how bad a triangle is: the squared ratio of what it has to what it may have, by its worst criterion.
   struct Quality
   {
@@ -305,7 +312,7 @@ public:
     Is_bad(const Parametric_surface_mesh_criteria& criteria, const Oracle& oracle)
       : m_oracle(oracle), m_squared_sine(Parametric_surface_mesher::internal::squared_sine_of_degrees(criteria.angle())),
         m_squared_size_factor(criteria.size_factor() * criteria.size_factor()),
-        m_limits{criteria.gamma(), criteria.distance() * criteria.distance(), 4 * criteria.min_edge() * criteria.min_edge()}
+        m_limits{criteria.gamma(), square(criteria.distance().value_or(0)), 4 * criteria.min_edge() * criteria.min_edge()}
     {}
 
     /// the patch.

@@ -11,13 +11,14 @@
 #include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Domain_curve_2.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
 #include <CGAL/Space_curve_3.h>
-
-#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -106,7 +107,7 @@ public:
     return m_vertices.size() - 1;
   }
 
-  /// \pre the vertices exist; they are equal if the edge is collapsed
+  /// \throws Parametric_surface_mesh_error if one of the vertices does not exist, or they differ though the edge is collapsed
   std::size_t add_edge(std::size_t source, std::size_t target, bool is_collapsed = false)
   {
     Edge edge;
@@ -116,16 +117,15 @@ public:
     return add_edge(std::move(edge));
   }
 
-  /// \pre the vertices exist; they are equal if the edge is collapsed
+  /// \throws Parametric_surface_mesh_error as above
   std::size_t add_edge(Edge edge)
   {
-    CGAL_precondition(edge.source < m_vertices.size() && edge.target < m_vertices.size());
-    CGAL_precondition(!edge.is_collapsed || edge.source == edge.target);
+    check_vertices(edge, m_edges.size());
     m_edges.push_back(std::move(edge));
     return m_edges.size() - 1;
   }
 
-  /// \pre the edges of the uses exist
+  /// The edges of the uses may be added later.
   std::size_t add_face(Face face)
   {
     m_faces.push_back(std::move(face));
@@ -155,15 +155,36 @@ public:
 
   /// sets how far apart in space what is to be one may be: the uses of an edge, and their ends and the vertices. 0, the
   /// default, stands for 1e-6 of the diagonal of the model's bounding box.
-  /// \pre `tolerance >= 0`
+  /// \throws Parametric_surface_mesh_error if `tolerance` is negative or not finite
   void set_tolerance(double tolerance)
   {
-    CGAL_precondition(tolerance >= 0);
+    Parametric_surface_mesher::internal::check_not_negative_and_finite("tolerance of the model", tolerance);
     m_tolerance = tolerance;
   }
 
   double tolerance() const { return m_tolerance; }
   /// @}
+
+  /// \name Validation
+  /// @{
+
+  /// \throws Parametric_surface_mesh_error if a vertex of the edge with this number does not exist, or they differ though the
+  /// edge is collapsed
+  void check_vertices_of_edge(std::size_t number) const { check_vertices(m_edges[number], number); }
+  /// @}
+
+private:
+  void check_vertices(const Edge& edge, std::size_t number) const
+  {
+    for(std::size_t vertex : {edge.source, edge.target})
+      if(vertex >= m_vertices.size())
+        throw Parametric_surface_mesh_error("edge " + std::to_string(number) + ": there is no vertex " + std::to_string(vertex)
+                                            + ", only " + std::to_string(m_vertices.size()) + " vertices");
+    if(edge.is_collapsed && edge.source != edge.target)
+      throw Parametric_surface_mesh_error("edge " + std::to_string(number) + " is collapsed and must end at the vertex where it "
+                                          "begins, but runs from vertex " + std::to_string(edge.source) + " to vertex "
+                                          + std::to_string(edge.target));
+  }
 };
 
 } // namespace CGAL

@@ -12,9 +12,9 @@
 
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/Parametric_point_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
 #include <CGAL/Surface_curvature_3.h>
 #include <CGAL/Surface_jet_3.h>
-#include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -55,11 +55,12 @@ class Principal_curvature_metric_2
 
 public:
   /// \param max_ratio the bound on `k`
-  /// \pre `max_ratio >= 1`
+  /// \throws Parametric_surface_mesh_error if it is not finite or below 1
   explicit Principal_curvature_metric_2(double max_ratio = 4)
     : m_max_ratio(max_ratio)
   {
-    CGAL_precondition(max_ratio >= 1);
+    if(!(max_ratio >= 1 && std::isfinite(max_ratio)))
+      Parametric_surface_mesher::internal::throw_out_of_range("bound of the ratio of curvatures", "at least 1 and finite", max_ratio);
   }
 
   /// the bound on `k`.

@@ -13,7 +13,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/assertions.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
 
 #include <cmath>
 #include <functional>
@@ -56,12 +56,12 @@ public:
   /*!
   the curve `jet(t)` for `t` from `begin` to `end`.
   \param jet a callable that returns a `Jet` for a `double`
-  \pre `begin != end`
+  \throws Parametric_surface_mesh_error if `begin` and `end` are not finite or are equal
   */
   Space_curve_3(std::function<Jet(double)> jet, double begin, double end)
     : m_jet(std::move(jet)), m_begin(begin), m_end(end)
   {
-    CGAL_precondition(begin != end);
+    Parametric_surface_mesher::internal::check_range_of_curve(begin, end);
   }
 
   /// the segment from `p` to `q`, for `t` from 0 to 1.

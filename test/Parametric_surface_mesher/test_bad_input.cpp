@@ -3,7 +3,11 @@
 //
 // Input that cannot be meshed: an exception that names the place, and an output mesh that is as it was.
 // This file is compiled with NDEBUG too.
+#include <CGAL/Parametric_primitive_surfaces_3.h>
+#include <CGAL/Principal_curvature_metric_2.h>
+#include <CGAL/Space_curve_3.h>
 #include <CGAL/boost/graph/generators.h>
+#include <CGAL/orient_faces.h>
 #include <gtest/gtest.h>
 
 #include <Sample_surfaces.h>
@@ -12,7 +16,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -97,6 +103,60 @@ Sample_surface spoiled(const std::function<bool(double, double)>& is_spoiled, do
 bool is_on_the_right(double u, double) { return u > 0.95; }
 
 bool is_inside(double u, double v) { return std::hypot(u - 0.5, v - 0.5) < 0.3; }
+
+std::string word(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+// Expects that a setter refuses each of some values, tells the value and the range, and sets nothing.
+template <class Set>
+void check_option(Set set, const std::string& name, const std::string& range, const std::vector<double>& values)
+{
+  for(double value : values) {
+    Criteria criteria = small_edges();
+    expect_refused([&] { (criteria.*set)(value); },
+                   "the " + name + " must be " + range + ", and is " + word(value));
+    EXPECT_EQ(small_edges().angle(), criteria.angle());
+    EXPECT_EQ(small_edges().gamma(), criteria.gamma());
+    EXPECT_EQ(small_edges().max_edge(), criteria.max_edge());
+    EXPECT_FALSE(criteria.distance());
+  }
+}
+
+typedef CGAL::Parametric_plane_3<Test_kernel> Plane;
+typedef CGAL::Parametric_surface_model_3<Plane> Plane_model;
+
+// two triangles on the unit square, with an edge in common
+Plane_model two_triangles()
+{
+  Plane_model model;
+  const std::vector<Point_2> corners = {Point_2(0, 0), Point_2(1, 0), Point_2(1, 1), Point_2(0, 1)};
+  for(const Point_2& p : corners)
+    model.add_vertex(Point_3(p.x(), p.y(), 0));
+  std::vector<Plane_model::Edge_use> uses;
+  for(const auto& [from, to] : std::vector<std::pair<int, int>>{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}})
+    uses.push_back({model.add_edge(from, to), false, Curve::segment(corners[from], corners[to])});
+  Plane_model::Edge_use back = uses[4];
+  back.is_reversed = true;
+  model.add_face({Plane(), {{uses[0], uses[1], back}}});
+  model.add_face({Plane(), {{uses[2], uses[3], uses[4]}}});
+  return model;
+}
+
+// Expects that a model is refused by `validate()` and by the mesher once `spoil` has changed it.
+template <class Spoil, class... Words>
+void check_model_refused(Spoil spoil, const Words&... words)
+{
+  Plane_model model = two_triangles();
+  spoil(model);
+  expect_refused([&] { CGAL::validate(model); }, words...);
+  Mesh mesh;
+  expect_refused([&] { CGAL::make_parametric_surface_mesh(model, small_edges(), mesh); }, words...);
+  EXPECT_EQ(0u, mesh.number_of_vertices());
+}
 
 } // namespace
 
@@ -254,4 +314,99 @@ TEST(Bad_input, sizing_field)
     const auto inside = [value](double u, double v) { return is_inside(u, v) ? value : 0.1; };
     check_refused(flat, square(), small_edges().set_sizing_field(inside), "sizing field", "not positive", "(u,v) = (0.");
   }
+}
+
+TEST(Bad_input, options_out_of_range)
+{
+  const std::string finite = "positive and finite", angle = "at least 0 and below 60 degrees";
+  check_option(&Criteria::set_max_edge, "maximum edge length", finite, {-1, 0, infinity, not_a_number});
+  check_option(&Criteria::set_min_edge, "minimum edge length", finite, {-1, 0, infinity, not_a_number});
+  check_option(&Criteria::set_gamma, "deviation ratio gamma", "positive", {-1, 0, not_a_number});
+  check_option(&Criteria::set_angle, "smallest angle", angle, {-1, 60, 80, 100, infinity, not_a_number});
+  check_option(&Criteria::set_size_factor, "size factor", finite, {-1, 0, infinity, not_a_number});
+  check_option(&Criteria::set_growth, "growth", "at least 0 and finite", {-1, infinity, not_a_number});
+  check_option(&Criteria::set_distance, "distance", "positive", {-1, 0, not_a_number});
+  check_option(&Criteria::set_closeness, "closeness", "positive", {-1, 0, not_a_number});
+  check_option(&Criteria::set_improvement_angle, "improvement angle", angle, {-1, 60, not_a_number});
+  check_option(&Criteria::set_improvement_time, "improvement time", "at least 0", {-1, not_a_number});
+}
+
+TEST(Bad_input, sizes_that_are_not_set)
+{
+  EXPECT_FALSE(Criteria().sizing().max_edge);
+  EXPECT_EQ(0.5, Criteria().set_min_edge(0.5).sizing().min_edge);
+  expect_refused([] { Criteria().max_edge(); }, "maximum edge length", "not been set");
+  const CGAL::Space_curve_3<Test_kernel> segment = CGAL::Space_curve_3<Test_kernel>::segment(Point_3(0, 0, 0), Point_3(1, 0, 0));
+  expect_refused([&] { CGAL::divide_curve(segment, Criteria()); }, "edge length has not been set");
+  EXPECT_EQ(11u, CGAL::divide_curve(segment, small_edges()).size());
+}
+
+TEST(Bad_input, curves)
+{
+  const auto jet = [](double t) { return Curve::Jet{Point_2(t, t), Vector_2(1, 1), Vector_2(0, 0)}; };
+  const auto jet_in_space = [](double t) {
+    return CGAL::Space_curve_3<Test_kernel>::Jet{Point_3(t, t, t), Vector_3(1, 1, 1), Vector_3(0, 0, 0)};
+  };
+  for(double end : {1., infinity, not_a_number}) {
+    expect_refused([&] { Curve(jet, 1, end); }, "parameters of a curve", "and are 1 and " + word(end));
+    expect_refused([&] { CGAL::Space_curve_3<Test_kernel>(jet_in_space, 1, end); }, "parameters of a curve", word(end));
+  }
+  for(double radius : {0., -1., infinity, not_a_number})
+    expect_refused([&] { Curve::circle(Point_2(0, 0), radius); }, "radius of an arc", "positive and finite", word(radius));
+  Domain domain = square();
+  Domain::Loop loop = domain.loops()[0];
+  loop[1].set_number_of_edges(4000000000u);
+  check_refused(Domain(loop), "4000000000 pieces", "allowed number of vertices");
+}
+
+TEST(Bad_input, metric_parameters)
+{
+  for(double ratio : {0.5, not_a_number, infinity})
+    expect_refused([&] { CGAL::Principal_curvature_metric_2<Test_kernel> metric(ratio); }, "at least 1", word(ratio));
+  for(double ratio : {0., -1., not_a_number})
+    expect_refused([&] { CGAL::Metric_tensor_2::from_ellipse(0.1, ratio); }, "half axes", "positive", word(ratio));
+}
+
+TEST(Bad_input, numbers_in_a_model)
+{
+  Mesh mesh;
+  EXPECT_GT(CGAL::make_parametric_surface_mesh(two_triangles(), small_edges(), mesh).number_of_faces, 100u);
+  check_model_refused([](Plane_model& model) { model.edges()[1].target = 4; }, "edge 1", "no vertex 4", "only 4 vertices");
+  check_model_refused([](Plane_model& model) { model.edges()[1].source = std::size_t(-1); }, "edge 1", "no vertex");
+  check_model_refused([](Plane_model& model) { model.edges()[2].is_collapsed = true; }, "edge 2 is collapsed", "vertex 2", "vertex 3");
+  const auto use_edge_5 = [](Plane_model& model) { model.faces()[1].loops[0][2].edge = 5; };
+  check_model_refused(use_edge_5, "face 1", "loop 0", "no edge 5", "only 5 edges");
+  Plane_model model = two_triangles();
+  use_edge_5(model);
+  expect_refused([&] { CGAL::orient_faces(model); }, "no edge 5");
+  expect_refused([&] { model.add_edge(0, 4); }, "no vertex 4");
+  expect_refused([&] { model.add_edge(0, 1, true); }, "collapsed");
+}
+
+TEST(Bad_input, loops_of_a_model)
+{
+  check_model_refused([](Plane_model& model) { model.faces().clear(); }, "no faces");
+  check_model_refused([](Plane_model& model) { model.faces()[1].loops.clear(); }, "face 1 has no loop");
+  check_model_refused([](Plane_model& model) { model.faces()[1].loops.emplace_back(); }, "face 1", "loop 1", "no edge");
+  check_model_refused([](Plane_model& model) { model.faces()[0].loops[0][2].is_reversed = false; }, "face 0", "loop 0", "open");
+  check_model_refused([](Plane_model& model) { model.faces()[0].is_reversed = true; }, "faces 0 and 1", "orient_faces");
+  for(double value : {not_a_number, infinity})
+    check_model_refused([&](Plane_model& model) {
+      auto& curve = model.faces()[1].loops[0][0].curve;
+      curve.set_end_points(Point_2(value, 1), curve.target());
+    }, "face 1", "edge 2", "(" + word(value) + ", 1)", "not finite");
+}
+
+TEST(Bad_input, lengths_in_a_model)
+{
+  for(double value : {-1., infinity, not_a_number}) {
+    const std::string range = "at least 0 and finite, and is " + word(value);
+    check_model_refused([&](Plane_model& model) { model.faces()[1].max_edge = value; }, "edge length of face 1", range);
+    check_model_refused([&](Plane_model& model) { model.edges()[3].max_edge = value; }, "edge 3", range);
+    check_model_refused([&](Plane_model& model) { model.edges()[3].tolerance = value; }, "tolerance of edge 3", range);
+    expect_refused([&] { two_triangles().set_tolerance(value); }, "tolerance of the model", range);
+  }
+  Plane_model model = two_triangles();
+  model.add_vertex(Point_3(0, not_a_number, 0));
+  expect_refused([&] { CGAL::validate(model); }, "vertex 4", "nan", "not finite");
 }

@@ -138,8 +138,8 @@ inline void write_json(std::ostream& out, const Mesh_patch_input& input, const M
        {"min_edge", criteria.min_edge()}, {"gamma", criteria.gamma()}, {"angle", criteria.angle()},
        {"size_factor", criteria.size_factor()}, {"patches", result.patches.size()},
        {"uv_columns", layout.columns}, {"uv_shift", layout.shift}};
-  if(criteria.distance() > 0)
-    json["distance"] = criteria.distance();
+  if(criteria.distance())
+    json["distance"] = *criteria.distance();
   json.update(json_of_model(counts(input)));
   json.update(json_of_shape(result.quality, result.deviation));
   json.update(json_of_report(result.report));

@@ -246,7 +246,7 @@ private:
                                ? std::sqrt(squared_chord)
                                : m_curve.curvature_radius(interpolate(from, to, 0.5));
     const double height = std::sqrt(squared_height);
-    return height > m_criteria.gamma() * reference || (m_criteria.distance() > 0 && height > m_criteria.distance());
+    return height > m_criteria.gamma() * reference || (m_criteria.distance() && height > *m_criteria.distance());
   }
 };
 
@@ -266,12 +266,12 @@ Lengths are arc lengths in space, integrals of the speed's expansions in Legendr
 collapsed side of a patch) is one piece.
 
 \param curve the curve: a model of `ParametricCurve_3`
-\param criteria gives `max_edge`, `min_edge` (both must be set), `gamma` and the deviation measure
+\param criteria gives `max_edge`, `min_edge` (both must have been set), `gamma` and the deviation measure
 \param size a callable: the wanted edge length at a parameter of the curve
 \param min_number_of_edges a lower bound of the number of pieces: 3 for a curve that closes on itself
 \param number_of_edges if not 0, the curve gets exactly this number of equal pieces instead
 \return the parameters of the points, from `curve.begin()` to `curve.end()`, both included
-\throws Parametric_surface_mesh_error if the curve is not finite
+\throws Parametric_surface_mesh_error if the curve is not finite, or `max_edge` or `min_edge` has not been set
 
 \tparam Curve a model of `ParametricCurve_3`
 */
@@ -279,7 +279,6 @@ template <class Curve, class Size>
 std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_mesh_criteria& criteria, const Size& size,
                                  std::size_t min_number_of_edges = 1, std::size_t number_of_edges = 0)
 {
-  CGAL_precondition(number_of_edges > 0 || (criteria.max_edge() > 0 && criteria.min_edge() > 0));
   const auto speed = [&curve](double t) { return curve.speed(t); };
   typedef internal::Arc_length<decltype(speed)> Arc_length;
   Arc_length arc_length(speed, curve.begin(), curve.end(), 4);
@@ -288,6 +287,10 @@ std::vector<double> divide_curve(const Curve& curve, const Parametric_surface_me
     return {curve.begin(), curve.end()};
 
   internal::Curve_division<Curve, Arc_length, Size> division(curve, arc_length, size, criteria);
+  if(number_of_edges > criteria.max_number_of_vertices())
+    throw Parametric_surface_mesh_error("a boundary curve is to be divided into " + std::to_string(number_of_edges)
+                                        + " pieces, which is more than the allowed number of vertices, "
+                                        + std::to_string(criteria.max_number_of_vertices()));
   if(number_of_edges > 0) {
     division.divide_equally(number_of_edges);
     return division.parameters();

@@ -109,7 +109,8 @@ and its mesh bounds a positive volume.
 
 Faces are neighbours at an edge with two uses, both in one shell.
 
-\throws Parametric_surface_mesh_error if a piece is not orientable; the message names two faces and their edge
+\throws Parametric_surface_mesh_error if a piece is not orientable, or a face uses an edge that does not exist; the message
+names the faces and the edge
 
 Complexity: linear in the number of faces and edge uses.
 */

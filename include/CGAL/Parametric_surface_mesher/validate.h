@@ -15,6 +15,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/model/curve_box.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Parametric_surface_model_3.h>
 
@@ -53,13 +54,19 @@ public:
 
   void operator()()
   {
+    if(m_model.faces().empty())
+      throw Parametric_surface_mesh_error("the model has no faces");
+    check_vertices();
+    for(std::size_t e = 0; e < m_model.edges().size(); ++e)
+      check_edge(e);
+    const Uses uses(m_model);
     for(std::size_t f = 0; f < m_model.faces().size(); ++f)
       about_face(f, [&] {
+        check_length("wanted edge length", m_model.faces()[f].max_edge, number("face", f));
         for(std::size_t l = 0; l < number_of_loops(f); ++l)
           check_loop(f, l);
       });
     m_tolerance = m_model.tolerance() > 0 ? m_model.tolerance() : 1e-6 * model_diagonal(m_model);
-    const Uses uses(m_model);
     for(std::size_t e : uses.order()) {
       for(const auto& use : uses[e])
         about_face(use.face, [&] { check_use(use.face, *use.use, uses[e].front().face, *uses[e].front().use); });
@@ -69,6 +76,29 @@ public:
 
 private:
   static std::string number(const char* what, std::size_t n) { return what + (" " + std::to_string(n)); }
+
+  void check_vertices() const
+  {
+    for(std::size_t v = 0; v < m_model.vertices().size(); ++v) {
+      const Point_3& p = m_model.vertices()[v];
+      if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+        throw Parametric_surface_mesh_error(number("vertex", v) + " is not finite: it is at (" + describe(p.x()) + ", "
+                                            + describe(p.y()) + ", " + describe(p.z()) + ")");
+    }
+  }
+
+  void check_edge(std::size_t e) const
+  {
+    m_model.check_vertices_of_edge(e);
+    check_length("tolerance", m_model.edges()[e].tolerance, number("edge", e));
+    check_length("longest edge of the division", m_model.edges()[e].max_edge, number("edge", e));
+  }
+
+  static void check_length(const char* name, double length, const std::string& place)
+  {
+    if(!(length >= 0 && std::isfinite(length)))
+      throw_out_of_range(name + (" of " + place), "at least 0 and finite", length);
+  }
 
   std::size_t number_of_loops(std::size_t f) const
   {
@@ -84,9 +114,11 @@ private:
     if(loop.empty())
       throw Parametric_surface_mesh_error(place + " has no edge");
     for(const Edge_use& use : loop)
-      if(use.edge >= m_model.edges().size())
-        throw Parametric_surface_mesh_error(place + ": there is no " + number("edge", use.edge) + ", only "
-                                            + std::to_string(m_model.edges().size()) + " edges");
+      for(const auto& end : {use.curve.source(), use.curve.target()})
+        if(!std::isfinite(end.x()) || !std::isfinite(end.y()))
+          throw Parametric_surface_mesh_error(place + ", " + number("edge", use.edge)
+                                              + ": the curve in the domain ends at (u,v) = " + describe(end)
+                                              + ", which is not finite");
     const Bbox_2 box = loop_box(loop, [](const Edge_use& use) -> const auto& { return use.curve; });
     const double tolerance = 1e-6 * (box.x_span() + box.y_span());
     for(std::size_t i = 0; i < loop.size(); ++i)
@@ -197,7 +229,8 @@ private:
 /*!
 \ingroup PkgParametricSurfaceMesherModel
 
-checks that the parts of a model fit together: every loop is closed, by its vertices and in the domain of its face; every
+checks that the parts of a model fit together: what edges and loops refer to exists, and coordinates, lengths and tolerances
+are finite; every loop is closed, by its vertices and in the domain of its face; every
 use of an edge is, at the same parameters, the same curve in space as the edge, within the tolerance of the model or that
 of the edge if it is larger (compared at nine points); and two faces of a shell at an edge face to the same side. Meshing
 calls it.

@@ -160,8 +160,8 @@ private:
 
   double distance_ratio(Mesh::Face_index f) const
   {
-    return m_criteria.distance() > 0 && shape(m_mesh, f).longest > 2 * m_criteria.min_edge()
-             ? distance_to_surface(m_mesh, f, m_surface) / m_criteria.distance()
+    return m_criteria.distance() && shape(m_mesh, f).longest > 2 * m_criteria.min_edge()
+             ? distance_to_surface(m_mesh, f, m_surface) / *m_criteria.distance()
              : 0;
   }
 

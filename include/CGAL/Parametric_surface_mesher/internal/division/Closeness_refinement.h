@@ -124,7 +124,7 @@ private:
       return;
     if(std::isinf(width))
       divide.collect_in_corner(piece);
-    else if(l > m_criteria.closeness() * width && width > hopeless_share * m_criteria.min_edge())
+    else if(l > *m_criteria.closeness() * width && width > hopeless_share * m_criteria.min_edge())
       divide.collect(piece);
   }
 
@@ -189,7 +189,7 @@ private:
         continue;
       }
       const double neighbor = (std::min)(lengths[(i + n - 1) % n], lengths[next]);
-      if(is_longer(l, max_ratio * neighbor) || is_longer(l, m_criteria.closeness() * width(v, w, triangulation))
+      if(is_longer(l, max_ratio * neighbor) || is_longer(l, *m_criteria.closeness() * width(v, w, triangulation))
          || l > (std::min)(sizes[i], sizes[next])) {
         const Piece piece = m_division.piece(face, number, segments[i]);
         if(m_division.can_be_split(piece))

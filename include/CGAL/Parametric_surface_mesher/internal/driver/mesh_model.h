@@ -48,9 +48,9 @@ inline void set_default_sizes(Parametric_surface_mesh_criteria& criteria, double
 {
   if(!(diagonal > 0) || !std::isfinite(diagonal))
     throw Parametric_surface_mesh_error("the surface is degenerate: its boundary is a point in space");
-  if(!(criteria.max_edge() > 0))
+  if(!criteria.sizing().max_edge)
     criteria.set_max_edge(diagonal / 20);
-  if(!(criteria.min_edge() > 0))
+  if(!criteria.sizing().min_edge)
     criteria.set_min_edge((std::min)(criteria.max_edge(), diagonal / 20) / 200);
   if(criteria.min_edge() > criteria.max_edge())
     throw Parametric_surface_mesh_error("the minimum edge length " + describe(criteria.min_edge())
@@ -108,7 +108,7 @@ public:
     Division division(m_model, m_oracles, m_criteria);
     Crossing_refinement<Oracle> refine(division, m_oracles);
     m_report.number_of_split_boundary_edges = refine();
-    if(m_criteria.closeness() > 0) {
+    if(m_criteria.closeness()) {
       Closeness_refinement<Oracle> refine_narrow_faces(division, m_oracles, m_criteria, m_boundaries);
       m_report.number_of_edges_split_by_closeness = refine_narrow_faces();
       m_report.number_of_split_boundary_edges += refine();

@@ -8,10 +8,12 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_MODEL_USES_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_MODEL_USES_H
 
+#include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
 
 #include <cstddef>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -38,7 +40,7 @@ private:
   std::vector<std::size_t> m_order;     // of the edges, by their first use
 
 public:
-  // \pre the edges of the uses exist
+  // throws if a use is of an edge that does not exist
   explicit Model_uses(const Model& model) : m_model(model), m_uses(model.edges().size())
   {
     for(std::size_t f = 0; f < model.faces().size(); ++f)
@@ -73,6 +75,11 @@ private:
   void append(std::size_t face, std::size_t number)
   {
     const auto& loop = m_model.faces()[face].loops[number];
+    for(const Edge_use& use : loop)
+      if(use.edge >= m_uses.size())
+        throw Parametric_surface_mesh_error("face " + std::to_string(face) + ", loop " + std::to_string(number)
+                                            + ": there is no edge " + std::to_string(use.edge) + ", only "
+                                            + std::to_string(m_uses.size()) + " edges", face);
     double double_area = 0;
     for(const Edge_use& use : loop)
       double_area += (use.is_reversed ? -1 : 1) * double_area_seen_from(loop.front().curve.source(), use.curve);

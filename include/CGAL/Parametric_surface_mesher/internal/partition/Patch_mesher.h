@@ -40,7 +40,7 @@ Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
   if(criteria.sizing_field() && !chart.is_identity())
     result.set_sizing_field([field = criteria.sizing_field(), chart](double x, double y) {
       const auto uv = chart.domain_point(typename Chart::Point_2(x, y));
-      return field(uv.x(), uv.y());
+      return (*field)(uv.x(), uv.y());
     });
   return result;
 }

@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -41,29 +43,31 @@ class Spacing_limit
   static constexpr double chord_factor_of_front = 7, chord_factor_of_centers = 6;
 
   const Oracle& m_oracle;
-  const Parametric_surface_mesh_criteria& m_criteria;
   Bbox_2 m_box;
+  double m_max_edge, m_min_edge, m_gamma;
+  std::optional<double> m_distance;
+  std::shared_ptr<const Sizing_options::Sizing_field> m_sizing_field;
   double m_chord_factor;
   double m_harmless_curvature; // the largest that allows the maximum edge
 
 public:
   // no point outside `box` is evaluated; if it is empty the curvature of lines always counts
   Spacing_limit(const Oracle& oracle, const Parametric_surface_mesh_criteria& criteria, const Bbox_2& box)
-    : m_oracle(oracle), m_criteria(criteria), m_box(box),
+    : m_oracle(oracle), m_box(box), m_max_edge(criteria.max_edge()), m_min_edge(criteria.min_edge()),
+      m_gamma(criteria.gamma()), m_distance(criteria.distance()), m_sizing_field(criteria.sizing_field()),
       m_chord_factor(criteria.placement() == Mesh_point_placement::FRONTAL ? chord_factor_of_front : chord_factor_of_centers),
-      m_harmless_curvature(m_chord_factor * criteria.gamma() / criteria.max_edge())
+      m_harmless_curvature(m_chord_factor * m_gamma / m_max_edge)
   {
-    if(criteria.distance() > 0)
-      m_harmless_curvature
-        = (std::min)(m_harmless_curvature, m_chord_factor * criteria.distance() / square(criteria.max_edge()));
+    if(m_distance)
+      m_harmless_curvature = (std::min)(m_harmless_curvature, m_chord_factor * *m_distance / square(m_max_edge));
   }
 
   double operator()(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
   {
     double limit = by_curvature(uv, jet);
-    if(m_criteria.sizing_field())
+    if(m_sizing_field)
       limit = (std::min)(limit, wanted_size(uv));
-    return (std::max)(limit, 1.4 * m_criteria.min_edge());
+    return (std::max)(limit, 1.4 * m_min_edge);
   }
 
   double operator()(const Point_2& uv) const { return (*this)(uv, m_oracle.surface().jet(uv.x(), uv.y())); }
@@ -72,14 +76,14 @@ public:
   double by_curvature(const Point_2& uv, const Surface_jet_3<Kernel>& jet) const
   {
     if((jet.duu == NULL_VECTOR && jet.duv == NULL_VECTOR && jet.dvv == NULL_VECTOR) || is_nearly_straight(jet))
-      return m_criteria.max_edge();
+      return m_max_edge;
     const double limit = limit_for(Surface_curvature_3<Kernel>(jet).max_absolute_curvature());
     // No vertex will be much closer to a singular point than this: then there is no limit, as at the point itself. Around an
     // apex the limit tends to zero, and may yet be longer than the distance from it.
     if(m_oracle.is_near_singular_point(jet.point, 0.25 * limit))
-      return m_criteria.max_edge();
+      return m_max_edge;
     // around a singular point the lines bend however small the edges are, and the oracle does not count that
-    if(m_oracle.is_near_singular_point(jet.point, limit / (6 * m_criteria.gamma())))
+    if(m_oracle.is_near_singular_point(jet.point, limit / (6 * m_gamma)))
       return limit;
     const double line_limit = limit_for(largest_line_curvature(jet));
     return line_limit > trusted_share * limit || is_steady(uv, jet, line_limit) ? (std::min)(limit, line_limit) : limit;
@@ -88,11 +92,11 @@ public:
 private:
   double limit_for(double curvature) const
   {
-    double limit = m_criteria.max_edge();
-    if(curvature * limit > m_chord_factor * m_criteria.gamma())
-      limit = m_chord_factor * m_criteria.gamma() / curvature;
-    if(m_criteria.distance() > 0 && curvature * limit * limit > m_chord_factor * m_criteria.distance())
-      limit = std::sqrt(m_chord_factor * m_criteria.distance() / curvature);
+    double limit = m_max_edge;
+    if(curvature * limit > m_chord_factor * m_gamma)
+      limit = m_chord_factor * m_gamma / curvature;
+    if(m_distance && curvature * limit * limit > m_chord_factor * *m_distance)
+      limit = std::sqrt(m_chord_factor * *m_distance / curvature);
     return limit;
   }
 
@@ -155,7 +159,7 @@ private:
 
   double wanted_size(const Point_2& uv) const
   {
-    const double size = m_criteria.sizing_field()(uv.x(), uv.y());
+    const double size = (*m_sizing_field)(uv.x(), uv.y());
     if(!(size > 0))
       throw Parametric_surface_mesh_error("the sizing field is not positive at (u,v) = " + describe(uv) + ": "
                                           + describe(size));
