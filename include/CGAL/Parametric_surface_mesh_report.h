@@ -82,7 +82,8 @@ struct Parametric_surface_mesh_report
   std::size_t number_of_split_boundary_edges = 0;
   /// how often a piece of the division was halved because its face is narrow there, or its neighbour short
   std::size_t number_of_edges_split_by_closeness = 0;
-  /// points where the parametrisation is singular within an edge length, and chords gave the tensor in place of derivatives
+  /// points where the parametrisation is singular within an edge length, and chords gave the tensor in place of derivatives,
+  /// or where the tensor of the metric field was not positive definite and was replaced
   std::size_t number_of_replaced_tensors = 0;
   std::size_t number_of_collapsed_faces = 0; ///< triangles on collapsed sides, which have no area and are left out
   double smallest_angle = 180;             ///< over all triangles

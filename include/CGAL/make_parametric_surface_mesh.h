@@ -23,6 +23,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/output/Face_graph_filler.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Output_maps.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/separate_pieces.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/Checked_metric_field_2.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Parametric_surface_mesher/validate.h>
 
@@ -90,7 +91,8 @@ Parametric_surface_mesh_report mesh_model(const Model& model, const Criteria& cr
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef typename Model::Geom_traits Kernel;
-  const auto metric = choose_parameter(get_parameter(np, Metric_field_t()), First_fundamental_form_metric_2<Kernel>());
+  const auto metric
+    = checked_metric_field(choose_parameter(get_parameter(np, Metric_field_t()), First_fundamental_form_metric_2<Kernel>()));
   auto given_visitor = choose_parameter(get_parameter(np, internal_np::visitor), Parametric_surface_mesh_visitor());
   auto& visitor = unwrap(given_visitor);
 

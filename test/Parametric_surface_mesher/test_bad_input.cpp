@@ -7,7 +7,7 @@
 #include <CGAL/Principal_curvature_metric_2.h>
 #include <CGAL/Space_curve_3.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/orient_faces.h>
+#include <CGAL/Parametric_surface_mesher/orient_faces.h>
 #include <gtest/gtest.h>
 
 #include <Sample_surfaces.h>
@@ -152,7 +152,7 @@ void check_model_refused(Spoil spoil, const Words&... words)
 {
   Plane_model model = two_triangles();
   spoil(model);
-  expect_refused([&] { CGAL::validate(model); }, words...);
+  expect_refused([&] { CGAL::Parametric_surface_mesher::validate(model); }, words...);
   Mesh mesh;
   expect_refused([&] { CGAL::make_parametric_surface_mesh(model, small_edges(), mesh); }, words...);
   EXPECT_EQ(0u, mesh.number_of_vertices());
@@ -337,8 +337,8 @@ TEST(Bad_input, sizes_that_are_not_set)
   EXPECT_EQ(0.5, Criteria().set_min_edge(0.5).sizing().min_edge);
   expect_refused([] { Criteria().max_edge(); }, "maximum edge length", "not been set");
   const CGAL::Space_curve_3<Test_kernel> segment = CGAL::Space_curve_3<Test_kernel>::segment(Point_3(0, 0, 0), Point_3(1, 0, 0));
-  expect_refused([&] { CGAL::divide_curve(segment, Criteria()); }, "edge length has not been set");
-  EXPECT_EQ(11u, CGAL::divide_curve(segment, small_edges()).size());
+  expect_refused([&] { CGAL::Parametric_surface_mesher::divide_curve(segment, Criteria()); }, "edge length has not been set");
+  EXPECT_EQ(11u, CGAL::Parametric_surface_mesher::divide_curve(segment, small_edges()).size());
 }
 
 TEST(Bad_input, curves)
@@ -378,7 +378,7 @@ TEST(Bad_input, numbers_in_a_model)
   check_model_refused(use_edge_5, "face 1", "loop 0", "no edge 5", "only 5 edges");
   Plane_model model = two_triangles();
   use_edge_5(model);
-  expect_refused([&] { CGAL::orient_faces(model); }, "no edge 5");
+  expect_refused([&] { CGAL::Parametric_surface_mesher::orient_faces(model); }, "no edge 5");
   expect_refused([&] { model.add_edge(0, 4); }, "no vertex 4");
   expect_refused([&] { model.add_edge(0, 1, true); }, "collapsed");
 }
@@ -408,5 +408,5 @@ TEST(Bad_input, lengths_in_a_model)
   }
   Plane_model model = two_triangles();
   model.add_vertex(Point_3(0, not_a_number, 0));
-  expect_refused([&] { CGAL::validate(model); }, "vertex 4", "nan", "not finite");
+  expect_refused([&] { CGAL::Parametric_surface_mesher::validate(model); }, "vertex 4", "nan", "not finite");
 }

@@ -6,13 +6,18 @@
 #include <CGAL/Principal_curvature_metric_2.h>
 #include <CGAL/Triangle_mesh_quality.h>
 
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
 #include <gtest/gtest.h>
 
 #include <Sample_surfaces.h>
 #include <mesher_test_helpers.h>
 #include <random_input.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 typedef CGAL::First_fundamental_form_metric_2<Test_kernel> First_form;
@@ -114,7 +119,140 @@ struct Vertical_metric
   }
 };
 
+// lengths by the mean of the tensors at the ends
+struct Mean_length
+{
+  double squared_length(const CGAL::Parametric_point_2<Test_kernel>& p,
+                        const CGAL::Parametric_point_2<Test_kernel>& q) const
+  {
+    return (0.5 * (p.tensor() + q.tensor())).squared_length(q.x() - p.x(), q.y() - p.y());
+  }
+};
+
+// a tensor inside a disc, the identity outside
+struct Disc_metric : Mean_length
+{
+  Tensor inside;
+
+  explicit Disc_metric(const Tensor& inside) : inside(inside) {}
+
+  Tensor tensor(const CGAL::Surface_jet_3<Test_kernel>& jet) const
+  {
+    return std::hypot(jet.point.x() - 0.5, jet.point.y() - 0.5) < 0.3 ? inside : Tensor();
+  }
+};
+
+// twice as long on the right half of the domain, whatever the surface is
+struct Halves_metric : Mean_length
+{
+  Tensor tensor(const CGAL::Surface_jet_3<Test_kernel>& jet, double u, double) const
+  {
+    return (u > 0.5 ? 4. : 1.) * First_form().tensor(jet);
+  }
+};
+
+// lengths that a user has got wrong
+struct Negative_length : First_form
+{
+  double squared_length(const CGAL::Parametric_point_2<Test_kernel>&, const CGAL::Parametric_point_2<Test_kernel>&) const
+  {
+    return -1;
+  }
+};
+
+Domain unit_square() { return Domain::rectangle(0, 1, 0, 1); }
+
+Criteria at_most_20000_vertices() { return Criteria().set_max_edge(0.05).set_min_edge(0.001).set_max_number_of_vertices(20000); }
+
+// Expects the eigenvectors of `m`, and the absolute values of its eigenvalues, or `least` where they are smaller.
+void check_replaced(const Tensor& m, double least)
+{
+  const auto replaced = CGAL::Parametric_surface_mesher::internal::regular_tensor(m);
+  EXPECT_TRUE(replaced.is_replaced);
+  EXPECT_TRUE(replaced.tensor.is_positive_definite());
+  Eigen::Matrix2d before, after;
+  before << m.e(), m.f(), m.f(), m.g();
+  after << replaced.tensor.e(), replaced.tensor.f(), replaced.tensor.f(), replaced.tensor.g();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(before);
+  const double size = eigen.eigenvalues().cwiseAbs().maxCoeff();
+  const Eigen::Matrix2d expected
+    = eigen.eigenvectors() * eigen.eigenvalues().cwiseAbs().cwiseMax(least).asDiagonal() * eigen.eigenvectors().transpose();
+  EXPECT_LE((after - expected).norm(), 1e-9 * size);
+  EXPECT_EQ(eigen.eigenvalues().cwiseAbs().minCoeff() < least, replaced.is_singular);
+}
+
 } // namespace
+
+TEST(Metric_tensors, replaced)
+{
+  Random_input random(11);
+  for(int i = 0; i < 1000; ++i) {
+    const double alpha = random.real(-2, 2), large = random.real(1, 2), small = random.real(-2, 0);
+    const double scale = std::pow(10, random.real(-80, 80)), c = std::cos(alpha), s = std::sin(alpha);
+    const auto turned = [&](double a, double b) { // with these eigenvalues
+      return Tensor(scale * (a * c * c + b * s * s), scale * (a - b) * s * c, scale * (a * s * s + b * c * c));
+    };
+    check_replaced(turned(large, small), scale * 1e-6 * (std::max)(large, -small));
+    check_replaced(turned(-large, small), scale * 1e-6 * (std::max)(large, -small));
+    const Tensor regular = turned(large, 0.5 - 0.2 * small);
+    EXPECT_EQ(regular, CGAL::Parametric_surface_mesher::internal::regular_tensor(regular).tensor);
+  }
+  for(const Tensor& tensor : {Tensor(0, 0, 0), Tensor(1e-310, 0, 0), Tensor(-1e-120, 1e-130, 0)}) {
+    const auto replaced = CGAL::Parametric_surface_mesher::internal::regular_tensor(tensor);
+    EXPECT_TRUE(replaced.tensor.is_positive_definite());
+    EXPECT_TRUE(replaced.is_singular);
+  }
+}
+
+TEST(User_metric_field, tensors_that_are_not_positive_definite)
+{
+  for(const Tensor& inside : {Tensor(1, 1.5, 1), Tensor(-1, 0, 1), Tensor(-1, 0, -1), Tensor(0, 1, 0), Tensor(-1e-3, 2, 5)}) {
+    Mesh mesh;
+    const auto report = add_patch(make_sample("flat").surface, unit_square(), at_most_20000_vertices(), mesh,
+                                  CGAL::parameters::metric_field(Disc_metric(inside)));
+    EXPECT_GT(report.number_of_replaced_tensors, 10u) << inside.f();
+    EXPECT_LT(report.number_of_vertices, 20000u);
+    EXPECT_EQ(0u, number_of_inverted_faces(mesh));
+  }
+}
+
+TEST(User_metric_field, tensors_without_a_size)
+{
+  Mesh mesh;
+  const auto report = add_patch(make_sample("flat").surface, unit_square(), at_most_20000_vertices(), mesh,
+                                CGAL::parameters::metric_field(Disc_metric(Tensor(0, 0, 0))));
+  EXPECT_EQ(0u, number_of_inverted_faces(mesh));
+  EXPECT_LE(report.number_of_vertices, 20000u);
+  for(double size : {1e151, std::numeric_limits<double>::infinity()})
+    expect_refused([&] {
+      add_patch(make_sample("flat").surface, unit_square(), at_most_20000_vertices(), mesh,
+                CGAL::parameters::metric_field(Disc_metric(Tensor(size, 0, size))));
+    }, "metric tensor", size < 1e200 ? "too large" : "not finite", "(u,v) = (0.");
+}
+
+TEST(User_metric_field, lengths_that_are_negative)
+{
+  Mesh mesh;
+  expect_refused([&] {
+    add_patch(make_sample("flat").surface, unit_square(), at_most_20000_vertices(), mesh,
+              CGAL::parameters::metric_field(Negative_length()));
+  }, "squared length", "metric field", "and is -1");
+  EXPECT_EQ(0u, mesh.number_of_faces());
+}
+
+// The metric does not see sizes of the surface but lengths four times as large on one half: smaller triangles there.
+TEST(User_metric_field, sees_the_parameters)
+{
+  Mesh mesh;
+  const auto report = add_patch(make_sample("flat").surface, unit_square(), Criteria().set_max_edge(0.05).set_min_edge(0.001),
+                                mesh, CGAL::parameters::metric_field(Halves_metric()));
+  EXPECT_EQ(0u, report.number_of_replaced_tensors);
+  double left = 0, right = 0;
+  for(const auto v : mesh.vertices())
+    ++(mesh.point(v).x() > 0.5 ? right : left);
+  EXPECT_GT(right, 2.5 * left);
+  EXPECT_LT(right, 5 * left);
+}
 
 TEST(First_fundamental_form_metric, finite_differences)
 {

@@ -12,7 +12,7 @@
 #include <CGAL/Parametric_point_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/charts/Charted_surface_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/charts/find_chart.h>
-#include <CGAL/Parametric_surface_mesher/internal/sizing/Patch_evaluator.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/regular_tensor.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/triangulate_boundary.h>
@@ -45,21 +45,10 @@ public:
 
   Evaluated_point<Kernel> operator()(const Point_2& uv, const Point_3& surface_point, double /* spacing */) const
   {
-    Patch_point_2<Kernel> point(uv, surface_point, tensor(uv));
+    const Metric_tensor_2 tensor = tensor_of_field(m_oracle, uv, m_oracle.surface().jet(uv.x(), uv.y()));
+    Patch_point_2<Kernel> point(uv, surface_point, regular_tensor(tensor).tensor);
     set_line_point(m_oracle.surface(), point);
     return {{point, Surface_jet_3<Kernel>(), false, false}, 0};
-  }
-
-private:
-  // A singular tensor would do for nothing here, and a round one is as good as any.
-  Metric_tensor_2 tensor(const Point_2& uv) const
-  {
-    const Metric_tensor_2 result = m_oracle.metric().tensor(m_oracle.surface().jet(uv.x(), uv.y()));
-    if(!std::isfinite(result.trace()))
-      throw_not_finite(m_oracle.surface(), uv);
-    return result.is_positive_definite() && result.determinant() > 1e-14 * result.trace() * result.trace()
-             ? result
-             : result + (result.trace() > 1e-90 ? 1e-6 * result.trace() : 1e-100) * Metric_tensor_2(1, 0, 1);
   }
 };
 

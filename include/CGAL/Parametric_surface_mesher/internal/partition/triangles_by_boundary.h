@@ -8,6 +8,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PARTITION_TRIANGLES_BY_BOUNDARY_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PARTITION_TRIANGLES_BY_BOUNDARY_H
 
+#include <CGAL/Parametric_surface_mesher/internal/sizing/regular_tensor.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 
 #include <cmath>
@@ -43,7 +44,7 @@ double number_of_triangles_by_boundary(const Oracle& oracle, const Boundary_loop
     n += loop.size();
     for(std::size_t i = 0; i < loop.size(); ++i) {
       const auto& uv = loop[i].domain_point;
-      area_ratio += std::sqrt(oracle.metric().tensor(oracle.surface().jet(uv.x(), uv.y())).determinant());
+      area_ratio += std::sqrt(std::fabs(tensor_of_field(oracle, uv, oracle.surface().jet(uv.x(), uv.y())).determinant()));
       density += 1 / squared_distance(loop[i].surface_point, loop[(i + 1) % loop.size()].surface_point);
     }
   }

@@ -10,17 +10,17 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
-#include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Chord_jet.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Spacing_limit.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/regular_tensor.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Evaluated_point_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_point_2.h>
+#include <CGAL/Parametric_surface_oracle_3.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -83,18 +83,16 @@ private:
 
   Position position(const Point_2& uv, const Point_3& surface_point, const Surface_jet_3<Kernel>& jet, double spacing) const
   {
-    Metric_tensor_2 tensor = m_oracle.metric().tensor(jet);
-    check_finite(uv, surface_point, tensor);
+    if(!std::isfinite(surface_point.x() + surface_point.y() + surface_point.z()))
+      throw_not_finite(m_oracle.surface(), uv);
+    const Metric_tensor_2 by_derivatives = tensor_of_field(m_oracle, uv, jet);
     const double length = length_of_edges(uv, jet, spacing);
     const bool is_by_chords = length > 0;
-    if(is_by_chords) {
-      tensor = m_oracle.metric().tensor(m_chord_jet(uv, jet, length));
-      check_finite(uv, surface_point, tensor);
-    }
-    const bool is_regular = is_well_conditioned(tensor);
-    Patch_point_2<Kernel> point(uv, surface_point, is_regular ? tensor : regularized(tensor));
+    const Regular_tensor regular
+      = regular_tensor(is_by_chords ? tensor_of_field(m_oracle, uv, m_chord_jet(uv, jet, length)) : by_derivatives);
+    Patch_point_2<Kernel> point(uv, surface_point, regular.tensor);
     set_line_point(m_oracle.surface(), point);
-    return {point, jet, is_by_chords || !is_regular, !is_regular};
+    return {point, jet, is_by_chords || regular.is_replaced, regular.is_singular};
   }
 
   // the length over which the jet does not tell distances, or 0 if it does
@@ -111,29 +109,6 @@ private:
   {
     return m_oracle.surface().chart().is_identity() ? m_spacing_limit(uv, jet)
                                                     : m_spacing_limit(uv, m_oracle.surface().line_jet(uv));
-  }
-
-  void check_finite(const Point_2& uv, const Point_3& p, const Metric_tensor_2& m) const
-  {
-    if(!std::isfinite(p.x() + p.y() + p.z()))
-      throw_not_finite(m_oracle.surface(), uv);
-    if(!std::isfinite(m.e() + m.f() + m.g()))
-      throw Parametric_surface_mesh_error("the metric tensor is not finite at (u,v) = "
-                                          + describe(place_in_domain(m_oracle.surface(), uv)));
-  }
-
-  // beyond this ratio of eigenvalues the determinant is rounding noise
-  static bool is_well_conditioned(const Metric_tensor_2& m)
-  {
-    return m.is_positive_definite() && m.determinant() > 1e-14 * m.trace() * m.trace();
-  }
-
-  // Where the parametrisation is singular and chords do not help, the tensor is not positive definite. A small multiple of
-  // the identity makes it so, and at a point where all derivatives vanish replaces it.
-  static Metric_tensor_2 regularized(const Metric_tensor_2& m)
-  {
-    const double size = m.trace() > 1e-90 ? 1e-6 * m.trace() : 1e-100;
-    return m + Metric_tensor_2(size, 0, size);
   }
 };
 
