@@ -116,7 +116,7 @@ class Distance_measure
 
 public:
   explicit Distance_measure(const Mesh_cad_result& result)
-    : m_result(result), m_bound(result.criteria.distance()),
+    : m_result(result), m_bound(result.criteria.distance().value()),
       m_tree(faces(result.mesh.mesh).begin(), faces(result.mesh.mesh).end(), result.mesh.mesh),
       m_is_inside(result.shape.model)
   {}
