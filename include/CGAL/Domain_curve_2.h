@@ -12,8 +12,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
-
-#include <boost/math/differentiation/autodiff.hpp>
+#include <CGAL/Parametric_surface_mesher/internal/surfaces/Taylor_polynomial_2.h>
 
 #include <cmath>
 #include <functional>
@@ -99,19 +98,18 @@ public:
 
   /*!
   the curve `t -> (u(t), v(t))` for `t` from `begin` to `end`; derivatives by automatic differentiation.
-  \param f a callable for `double` and for the automatic differentiation type of Boost.Math (`[](auto t) {...}`)
-         that returns a `std::tuple`, `std::pair` or `std::array` of two
+  \param f a callable that is generic in the type of its argument, `[](auto t) {...}`, and returns a `std::tuple`, `std::pair`
+         or `std::array` of two, or of one number and something that depends on `t`. How to write it is told at
+         `Parametric_function_surface_3`
   */
   template <class Function>
   static Domain_curve_2 from_function(Function f, double begin, double end)
   {
     return Domain_curve_2(
       [f](double t) {
-        const auto uv = f(boost::math::differentiation::make_fvar<double, 2>(t));
-        const auto& u = std::get<0>(uv);
-        const auto& v = std::get<1>(uv);
-        return Jet{Point_2(derivative(u, 0), derivative(v, 0)), Vector_2(derivative(u, 1), derivative(v, 1)),
-                   Vector_2(derivative(u, 2), derivative(v, 2))};
+        const auto uv = f(Parametric_surface_mesher::internal::Taylor_polynomial_2::first_variable(t));
+        const Parametric_surface_mesher::internal::Taylor_polynomial_2 u = std::get<0>(uv), v = std::get<1>(uv);
+        return Jet{Point_2(u.value, v.value), Vector_2(u.du, v.du), Vector_2(u.duu, v.duu)};
       },
       begin, end);
   }
@@ -146,15 +144,6 @@ public:
   Point_2 point(double t) const
   {
     return t == m_begin ? m_source : t == m_end ? m_target : m_jet(t).point;
-  }
-
-private:
-  static double derivative(double x, int order) { return order == 0 ? x : 0; }
-
-  template <class Variable>
-  static double derivative(const Variable& x, int order)
-  {
-    return x.derivative(order);
   }
 };
 

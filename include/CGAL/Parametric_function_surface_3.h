@@ -10,14 +10,14 @@
 
 #include <CGAL/license/Parametric_surface_mesher.h>
 
+#include <CGAL/Parametric_surface_mesher/internal/surfaces/Taylor_polynomial_2.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 
-#include <boost/math/differentiation/autodiff.hpp>
-
+#include <array>
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
@@ -28,9 +28,8 @@ namespace CGAL {
 /*!
 \ingroup PkgParametricSurfaceMesherSurfaces
 
-the three coordinates that the function of a `Parametric_function_surface_3` returns. They may be of different
-types, as they are under automatic differentiation, and constants may be plain numbers: `parametric_surface_point(u,
-0, v * v)`.
+the three coordinates that the function of a `Parametric_function_surface_3` returns. Constants may be plain numbers:
+`parametric_surface_point(u, 0, v * v)`.
 */
 template <class X, class Y, class Z>
 std::tuple<X, Y, Z> parametric_surface_point(const X& x, const Y& y, const Z& z)
@@ -48,31 +47,32 @@ template <class Coordinates>
 struct Is_indexable<Coordinates, std::void_t<decltype(std::declval<const Coordinates&>()[0])>> : std::true_type {};
 
 template <std::size_t i, class Coordinates>
-decltype(auto) coordinate(const Coordinates& coordinates)
+auto coordinate(const Coordinates& coordinates) -> std::enable_if_t<Is_indexable<Coordinates>::value,
+                                                                    std::decay_t<decltype(coordinates[i])>>
 {
-  if constexpr(Is_indexable<Coordinates>::value)
-    return coordinates[i];
-  else
-    return std::get<i>(coordinates);
+  return coordinates[i];
 }
 
-// The Taylor coefficients of one coordinate function, whatever variables it depends on.
-class Taylor_polynomial
+template <std::size_t i, class Coordinates>
+auto coordinate(const Coordinates& coordinates) -> std::enable_if_t<!Is_indexable<Coordinates>::value && i < std::tuple_size<Coordinates>::value,
+                                                                    std::decay_t<decltype(std::get<i>(coordinates))>>
 {
-  typedef boost::math::differentiation::autodiff_fvar<double, 2, 2> Variable;
+  return std::get<i>(coordinates);
+}
 
-  Variable m_value;
+template <class Coordinates, class = void>
+struct Has_three_coordinates : std::false_type {};
 
-public:
-  template <class T>
-  explicit Taylor_polynomial(const T& value) : m_value(value) {}
+template <class Coordinates>
+struct Has_three_coordinates<Coordinates, std::void_t<decltype(coordinate<0>(std::declval<const Coordinates&>())),
+                                                      decltype(coordinate<2>(std::declval<const Coordinates&>()))>>
+  : std::true_type {};
 
-  // `d^(i+j) / (du^i dv^j)` for `i, j <= 2`. Not Boost's `derivative()`, which copies a table of 171 factorials.
-  double derivative(std::size_t i, std::size_t j) const
-  {
-    return m_value.at(i, j) * (i == 2 ? 2 : 1) * (j == 2 ? 2 : 1);
-  }
-};
+template <class Function, class = void>
+struct Has_one_signature : std::is_function<std::remove_pointer_t<Function>> {};
+
+template <class Function>
+struct Has_one_signature<Function, std::void_t<decltype(&Function::operator())>> : std::true_type {};
 
 } // namespace internal
 } // namespace Parametric_surface_mesher
@@ -80,12 +80,14 @@ public:
 /*!
 \ingroup PkgParametricSurfaceMesherSurfaces
 
-The surface of a function of two variables; the derivatives come from the automatic differentiation of Boost.Math.
+The surface of a function of two variables; the derivatives come from automatic differentiation.
 
 The function is a template in the types of `u` and `v`: a generic lambda. It is called with two `double`s for a
-point, and with two *different* number types of Boost.Math for the derivatives. So it should declare its
-intermediate values `auto`, make the standard functions visible by `using std::exp;` and the like, and
-return its coordinates by `parametric_surface_point()`, which lets them have different types:
+point, and with two numbers that carry derivatives, both of one type, for the jet. So it should declare its intermediate
+values `auto`, and make the standard functions visible by `using std::exp;` and the like. These functions there are: `sqrt`,
+`cbrt`, `pow`, `hypot`, `exp`, `exp2`, `expm1`, `log`, `log1p`, `log2`, `log10`, `sin`, `cos`, `tan`, `asin`, `acos`, `atan`,
+`atan2`, `sinh`, `cosh`, `tanh`, `asinh`, `acosh`, `atanh`, `erf`, `erfc`, `abs`, `fabs`, `floor`, `ceil`, `round`, `trunc`,
+`fmod`, `fmin`, `fmax`, and comparisons. What would turn such a number into a `double` does not compile.
 
 \code
 auto peak = CGAL::make_parametric_function_surface([](auto u, auto v) {
@@ -95,10 +97,10 @@ auto peak = CGAL::make_parametric_function_surface([](auto u, auto v) {
 \endcode
 
 Anything else that holds three coordinates and has an `operator[]` or `std::get()` will do as return type, such
-as `std::array<decltype(u * v), 3>`: the type of `u * v` can hold any expression in `u` and `v`.
+as `std::array{x, y, z}` where all three depend on `u` or `v`.
 
-Automatic differentiation is exact up to rounding, and slow: about half a microsecond for one or two transcendental
-functions. `Parametric_jet_surface_3` takes derivatives worked out by hand.
+Automatic differentiation is exact up to rounding, and costs some three to four times as much as the point alone.
+`Parametric_jet_surface_3` takes derivatives worked out by hand.
 
 \tparam Function a callable `f(u, v)` as described above. It must be copyable, and its call operator `const`
 \tparam Kernel a model of `Kernel` with `double` as number type
@@ -117,6 +119,14 @@ public:
   typedef typename Kernel::Vector_3 Vector_3;
 
 private:
+  typedef Parametric_surface_mesher::internal::Taylor_polynomial_2 Number;
+
+  static_assert(std::is_same<typename Kernel::FT, double>::value,
+                "The kernel of a parametric surface must have 'double' as its number type FT.");
+  static constexpr bool is_generic = !Parametric_surface_mesher::internal::Has_one_signature<Function>::value;
+  static_assert(is_generic, "The function of a parametric surface must be generic, as '[](auto u, auto v) {...}' is: it is "
+                            "called with numbers that carry derivatives, too.");
+
   Function m_function;
 
 public:
@@ -136,19 +146,33 @@ public:
   /// `S(u,v)` with all partial derivatives up to second order.
   Surface_jet_3<Kernel> jet(double u, double v) const
   {
-    namespace internal = Parametric_surface_mesher::internal;
-    const auto variables = boost::math::differentiation::make_ftuple<double, 2, 2>(u, v);
-    const auto s = m_function(std::get<0>(variables), std::get<1>(variables));
-    const internal::Taylor_polynomial x(internal::coordinate<0>(s)),
-                                      y(internal::coordinate<1>(s)),
-                                      z(internal::coordinate<2>(s));
-    const auto derivative = [&](std::size_t i, std::size_t j)
-    {
-      return Vector_3(x.derivative(i, j), y.derivative(i, j), z.derivative(i, j));
-    };
+    const Coordinates s = coordinates(u, v);
+    const Number &x = s[0], &y = s[1], &z = s[2];
     // the same bits as from point(), which the rounding of the differentiated function need not give
-    return { point(u, v),
-             derivative(1, 0), derivative(0, 1), derivative(2, 0), derivative(1, 1), derivative(0, 2) };
+    return { point(u, v), Vector_3(x.du, y.du, z.du), Vector_3(x.dv, y.dv, z.dv), Vector_3(x.duu, y.duu, z.duu),
+             Vector_3(x.duv, y.duv, z.duv), Vector_3(x.dvv, y.dvv, z.dvv) };
+  }
+
+private:
+  typedef std::array<Number, 3> Coordinates;
+
+  Coordinates coordinates(double u, double v) const
+  {
+    namespace internal = Parametric_surface_mesher::internal;
+    if constexpr(is_generic) {
+      const auto s = m_function(Number::first_variable(u), Number::second_variable(v));
+      constexpr bool has_three = internal::Has_three_coordinates<std::decay_t<decltype(s)>>::value;
+      static_assert(has_three, "The function of a parametric surface must return three coordinates, for instance by "
+                               "CGAL::parametric_surface_point(x, y, z).");
+      if constexpr(has_three) {
+        static_assert(internal::Depend_on_parameters<decltype(internal::coordinate<0>(s)), decltype(internal::coordinate<1>(s)),
+                                                     decltype(internal::coordinate<2>(s))>::value,
+                      "The function of a parametric surface must return coordinates that depend on its parameters, or numbers: "
+                      "those that it returns are all plain numbers, or of another type.");
+        return {internal::coordinate<0>(s), internal::coordinate<1>(s), internal::coordinate<2>(s)};
+      }
+    }
+    return {};
   }
 };
 

@@ -105,6 +105,72 @@ TEST(Function_surface, values_that_are_not_finite_pass_through)
   EXPECT_TRUE(std::isnan(surface.jet(-1, 0).du.z()));
 }
 
+// a sum that begins with the type of `u`
+TEST(Function_surface, sum_in_a_loop)
+{
+  const auto surface = CGAL::make_parametric_function_surface([](auto u, auto v)
+  {
+    using std::exp;
+    auto z = 0. * u;
+    for(double c : { -0.5, 0., 0.5 })
+      z = z + exp(-(u - c) * (u - c) - (v + c) * (v + c));
+    return CGAL::parametric_surface_point(u, v, z);
+  });
+  const double u = 0.3, v = 0.7;
+  double expected = 0;
+  for(double c : { -0.5, 0., 0.5 })
+    expected += -2 * (v + c) * std::exp(-(u - c) * (u - c) - (v + c) * (v + c));
+  EXPECT_NEAR(expected, surface.jet(u, v).dv.z(), 1e-14);
+  check_jet(surface, u, v);
+}
+
+TEST(Function_surface, coordinates_of_one_type)
+{
+  const auto surface = CGAL::make_parametric_function_surface([](auto u, auto v) { return std::array{ u, v, u * v }; });
+  EXPECT_EQ(Point_3(2, 3, 6), surface.point(2, 3));
+  EXPECT_EQ(Vector_3(1, 0, 3), surface.jet(2, 3).du);
+  EXPECT_EQ(Vector_3(0, 1, 2), surface.jet(2, 3).dv);
+}
+
+// each function in a coordinate of its own, at a place where all of them are smooth
+TEST(Function_surface, all_functions)
+{
+  const auto check = [](auto function) {
+    const auto surface = CGAL::make_parametric_function_surface([function](auto u, auto v) {
+      return CGAL::parametric_surface_point(u, v, function(0.5 + 0.2 * u - 0.1 * v, 0.7 * u + 0.2 * u * v));
+    });
+    check_jet(surface, 0.4, 0.3);
+    EXPECT_EQ(surface.point(0.4, 0.3), surface.jet(0.4, 0.3).point);
+  };
+  using std::sqrt; using std::cbrt; using std::exp; using std::exp2; using std::expm1; using std::log; using std::log1p;
+  using std::log2; using std::log10; using std::sin; using std::cos; using std::tan; using std::asin; using std::acos;
+  using std::atan; using std::sinh; using std::cosh; using std::tanh; using std::asinh; using std::acosh; using std::atanh;
+  using std::erf; using std::erfc; using std::abs; using std::fabs; using std::pow; using std::hypot; using std::atan2;
+  using std::fmod; using std::fmin; using std::fmax; using std::floor; using std::ceil; using std::round; using std::trunc;
+  check([](auto x, auto y) { return sqrt(x) + cbrt(y) + exp(x * y) + exp2(y) - expm1(x); });
+  check([](auto x, auto y) { return log(x) + log1p(y) - log2(x) * log10(y); });
+  check([](auto x, auto y) { return sin(x) + cos(y) * tan(x) + asin(x) - acos(y) / atan(x); });
+  check([](auto x, auto y) { return sinh(x) + cosh(y) * tanh(x) + asinh(x) - acosh(1.5 + y) / atanh(x); });
+  check([](auto x, auto y) { return erf(x) * erfc(y) + abs(-x) + fabs(y - 3) + pow(x, 3) + pow(y, 2.5f) + pow(x, y) + pow(2, y); });
+  check([](auto x, auto y) { return hypot(x, y) + hypot(x, 2) + hypot(1., x, y) + atan2(x, y) + atan2(y, -x) + atan2(-1, x); });
+  check([](auto x, auto y) { return fmod(7 * x, y) + fmin(x, y) * fmax(y, 0.1) + floor(x) * ceil(y) + round(3 * y) + trunc(9 * x); });
+  check([](auto x, auto y) { x += y; x *= 2. * y; x -= 1 / y; x /= 3 - y; return x <= y || x != 1 ? -x + 2 * +y : y; });
+}
+
+TEST(Function_surface, powers_at_zero)
+{
+  const auto surface = CGAL::make_parametric_function_surface([](auto u, auto v)
+  {
+    using std::pow;
+    return CGAL::parametric_surface_point(pow(u, 1), pow(u, 2) + pow(v, 0), pow(v, 3));
+  });
+  const auto jet = surface.jet(0, 0);
+  EXPECT_EQ(Vector_3(1, 0, 0), jet.du);
+  EXPECT_EQ(Vector_3(0, 0, 0), jet.dv);
+  EXPECT_EQ(Vector_3(0, 2, 0), jet.duu);
+  EXPECT_EQ(Vector_3(0, 0, 0), jet.dvv);
+}
+
 CGAL::Surface_jet_3<Test_kernel> saddle_jet(double u, double v)
 {
   return { Point_3(u, v, u * v), Vector_3(1, 0, v), Vector_3(0, 1, u),
