@@ -13,7 +13,7 @@ if(OpenCASCADE_FOUND AND NOT TARGET Parametric_surface_mesher::Open_cascade_supp
   if(TARGET TKDESTEP)
     set(open_cascade_readers TKDESTEP TKDEIGES)
   else()
-    set(open_cascade_readers TKSTEP TKIGES)
+    set(open_cascade_readers TKSTEP TKSTEPBase TKIGES)
   endif()
   set_target_properties(Parametric_surface_mesher::Open_cascade_support PROPERTIES
     INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${OpenCASCADE_INCLUDE_DIR}"

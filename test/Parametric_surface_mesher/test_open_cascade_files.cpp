@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,72 @@ TEST(Open_cascade_files, what_is_no_shape_is_refused)
   for(const char* name : {"garbage.step", "garbage.iges", "garbage.brep", "garbage.txt"}) {
     std::ofstream(temporary_file(name)) << "garbage\n";
     EXPECT_THROW(read(temporary_file(name)), CGAL::Parametric_surface_mesh_error) << name;
+  }
+}
+
+std::string content(const std::string& file_name)
+{
+  std::ifstream file(file_name, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+}
+
+std::string cut_file(const std::string& name, double share)
+{
+  const std::string all = content(temporary_file(name)), result = temporary_file("cut_" + name);
+  std::ofstream(result, std::ios::binary) << all.substr(0, std::size_t(share * double(all.size())));
+  return result;
+}
+
+std::string file_with(const std::string& name, const std::string& old_text, const std::string& new_text)
+{
+  std::string all = content(temporary_file(name));
+  const std::string result = temporary_file("changed_" + name);
+  all.replace(all.find(old_text), old_text.size(), new_text);
+  std::ofstream(result, std::ios::binary) << all;
+  return result;
+}
+
+void write_box(const std::string& name)
+{
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
+  BRepTools::Write(box, temporary_file(name + ".brep").c_str());
+  STEPControl_Writer step;
+  step.Transfer(box, STEPControl_AsIs);
+  step.Write(temporary_file(name + ".step").c_str());
+  IGESControl_Writer iges;
+  iges.AddShape(box);
+  iges.Write(temporary_file(name + ".iges").c_str());
+}
+
+// The readers of Open CASCADE crash on some of these, and never come back from others.
+TEST(Open_cascade_files, files_without_their_end_are_refused)
+{
+  write_box("whole");
+  for(const char* name : {"whole.brep", "whole.step", "whole.iges"})
+    for(double share : {0.05, 0.3, 0.5, 0.7, 0.8, 0.9, 0.99}) {
+      const std::string file = cut_file(name, share);
+      EXPECT_THROW(CGAL::IO::read_open_cascade_shape(file), CGAL::Parametric_surface_mesh_error) << name << " " << share;
+    }
+}
+
+TEST(Open_cascade_files, faces_that_are_lost_in_reading_are_told)
+{
+  write_box("faces");
+  const std::string file = file_with("faces.step", "ADVANCED_FACE", "ADVANCED_FASE");
+  std::vector<std::string> faults;
+  CGAL::IO::read_open_cascade_shape(file, "MM", faults);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults.front().find("1 of 6 faces in the file could not be read"), 0u) << faults.front();
+  EXPECT_THROW(CGAL::IO::read_open_cascade_shape(file), CGAL::Parametric_surface_mesh_error);
+}
+
+// On some of these Open CASCADE crashes.
+TEST(Open_cascade_files, loops_that_are_lost_in_reading_are_told)
+{
+  write_box("loops");
+  for(const char* entity : {"FACE_BOUND", "EDGE_LOOP", "ORIENTED_EDGE", "EDGE_CURVE"}) {
+    const std::string file = file_with("loops.step", std::string(entity) + "(", std::string(entity) + "S(");
+    EXPECT_THROW(CGAL::IO::read_open_cascade_shape(file), CGAL::Parametric_surface_mesh_error) << entity;
   }
 }
 

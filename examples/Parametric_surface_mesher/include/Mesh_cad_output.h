@@ -92,7 +92,8 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
     gaps.push_back({{"edge", gap.shape_edge + 1}, {"face", gap.shape_face + 1}, {"distance", gap.distance}, {"tolerance", gap.tolerance}});
   for(const auto& edge : shape.inner_edges)
     inner_edges.push_back({{"edge", edge.shape_edge + 1}, {"face", edge.shape_face + 1}});
-  return {{"diagonal", shape.diagonal},
+  return {{"file_faults", result.file_faults},
+          {"diagonal", shape.diagonal},
           {"faces", shape.number_of_shape_faces},
           {"edges", shape.number_of_shape_edges},
           {"meshed_faces", number_of_meshed_faces(result)},
@@ -188,6 +189,8 @@ inline Output_files output_files(const Mesh_cad_options& o, const Mesh_cad_resul
 inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
 {
   const auto& shape = result.shape;
+  for(const std::string& fault : result.file_faults)
+    out << "  NOT READ: " << fault << "\n";
   for(const auto& face : result.left_out)
     out << "  LEFT OUT face " << face.shape_face + 1 << ": " << face.reason << "\n";
   for(const auto& face : shape.closed_up)

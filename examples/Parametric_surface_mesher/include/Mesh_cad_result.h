@@ -48,6 +48,7 @@ struct Mesh_cad_result
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
   Cad_mesh_measures measures;
+  std::vector<std::string> file_faults; // what is in the file, and not in the shape
   std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
   std::size_t number_of_sewn_edges = 0, number_of_lost_faces = 0; // by sewing
   double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, measuring_seconds = 0;
@@ -165,7 +166,7 @@ inline double sewing_tolerance(const Mesh_cad_options& options, const TopoDS_Sha
 inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result& result)
 {
   const Silence silence;
-  TopoDS_Shape shape = CGAL::IO::read_open_cascade_shape(options.input, options.unit);
+  TopoDS_Shape shape = CGAL::IO::read_open_cascade_shape(options.input, options.unit, result.file_faults);
   const double tolerance = sewing_tolerance(options, shape);
   if(tolerance > 0) {
     const CGAL::Sewn_open_cascade_shape sewn = CGAL::sew_open_cascade_shape(shape, tolerance);

@@ -10,73 +10,16 @@
 
 #include <CGAL/license/Parametric_surface_mesher.h>
 
-#include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
-#include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/read_shape_file.h>
 
-#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
-
-#include <BRepTools.hxx>
-#include <BRep_Builder.hxx>
-#include <IGESControl_Reader.hxx>
-#include <Interface_Static.hxx>
-#include <STEPControl_Reader.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
-
-namespace Parametric_surface_mesher {
-namespace internal {
-
-// The part of a file name after its last dot, in small letters.
-inline std::string ending_of(const std::string& file_name)
-{
-  const std::size_t dot = file_name.find_last_of("./");
-  std::string result = dot == std::string::npos || file_name[dot] == '/' ? "" : file_name.substr(dot + 1);
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return result;
-}
-
-template <class Reader>
-TopoDS_Shape read_exchange_file(const std::string& file_name, const char* format)
-{
-  Reader reader;
-  if(reader.ReadFile(file_name.c_str()) != IFSelect_RetDone)
-    throw Parametric_surface_mesh_error(file_name + " is no " + format + " file that Open CASCADE can read");
-  reader.TransferRoots();
-  return reader.OneShape();
-}
-
-inline TopoDS_Shape read_brep_file(const std::string& file_name)
-{
-  TopoDS_Shape shape;
-  if(!BRepTools::Read(shape, file_name.c_str(), BRep_Builder()))
-    throw Parametric_surface_mesh_error(file_name + " is no BREP file that Open CASCADE can read");
-  return shape;
-}
-
-// Sets the unit that lengths are converted to, "MM" for instance, and puts the old one back.
-class Exchange_unit
-{
-  std::string m_old;
-
-public:
-  explicit Exchange_unit(const std::string& unit) : m_old(Interface_Static::CVal("xstep.cascade.unit"))
-  {
-    if(!Interface_Static::SetCVal("xstep.cascade.unit", unit.c_str()))
-      throw Parametric_surface_mesh_error("'" + unit + "' is no unit of length that Open CASCADE knows");
-  }
-  ~Exchange_unit() { Interface_Static::SetCVal("xstep.cascade.unit", m_old.c_str()); }
-};
-
-} // namespace internal
-} // namespace Parametric_surface_mesher
-
 namespace IO {
 
 /*!
@@ -84,38 +27,44 @@ namespace IO {
 
 reads a shape from a STEP (`.step`, `.stp`), IGES (`.iges`, `.igs`) or BREP file (`.brep`, `.rle`); capitals do as well.
 
+The file is read in a process of its own where the system has such (POSIX): Open CASCADE may crash on a damaged file, or never
+come back, and this ends in an exception here. Reading has 10 seconds of processor time and 5 for each megabyte.
+
 \param file_name the name of the file
 \param unit the unit of length of the result: STEP and IGES files name theirs, and lengths are converted. A BREP file has
             no unit and is taken as it is.
+\param faults takes a sentence for each kind of thing that is in the file, and not in the shape: faces that could not be read,
+              damaged loops, an end that is missing. It is empty for a file that was read whole.
 
 \throws Parametric_surface_mesh_error if the file cannot be read or contains no shape
 */
-inline TopoDS_Shape read_open_cascade_shape(const std::string& file_name, const std::string& unit = "MM")
+inline TopoDS_Shape read_open_cascade_shape(const std::string& file_name, const std::string& unit, std::vector<std::string>& faults)
 {
   using namespace Parametric_surface_mesher::internal;
   if(!std::ifstream(file_name))
     throw Parametric_surface_mesh_error("cannot open " + file_name);
   const std::string ending = ending_of(file_name);
-  return guarded([&] {
-    TopoDS_Shape shape;
-    if(ending == "brep" || ending == "rle")
-      shape = read_brep_file(file_name);
-    else if(ending == "step" || ending == "stp") {
-      STEPControl_Reader initialize_parameters;
-      const Exchange_unit conversion(unit);
-      shape = read_exchange_file<STEPControl_Reader>(file_name, "STEP");
-    }
-    else if(ending == "iges" || ending == "igs") {
-      IGESControl_Reader initialize_parameters;
-      const Exchange_unit conversion(unit);
-      shape = read_exchange_file<IGESControl_Reader>(file_name, "IGES");
-    }
-    else
-      throw Parametric_surface_mesh_error(file_name + ": expected a file that ends in .step, .stp, .iges, .igs, .brep or .rle");
-    if(shape.IsNull())
-      throw Parametric_surface_mesh_error(file_name + " contains no shape");
-    return shape;
-  });
+  if(ending != "brep" && ending != "rle" && ending != "step" && ending != "stp" && ending != "iges" && ending != "igs")
+    throw Parametric_surface_mesh_error(file_name + ": expected a file that ends in .step, .stp, .iges, .igs, .brep or .rle");
+  Shape_of_file result = read_shape_file_safely(file_name, unit);
+  faults = std::move(result.faults);
+  return result.shape;
+}
+
+/*!
+\ingroup PkgParametricSurfaceMesherOpenCascade
+
+does the same, and takes no file of which something is missing.
+
+\throws Parametric_surface_mesh_error if the file cannot be read, contains no shape, or something of it could not be read
+*/
+inline TopoDS_Shape read_open_cascade_shape(const std::string& file_name, const std::string& unit = "MM")
+{
+  std::vector<std::string> faults;
+  const TopoDS_Shape result = read_open_cascade_shape(file_name, unit, faults);
+  if(!faults.empty())
+    throw Parametric_surface_mesh_error(file_name + ": " + faults.front());
+  return result;
 }
 
 } // namespace IO
