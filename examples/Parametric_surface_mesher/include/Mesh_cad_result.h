@@ -32,13 +32,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <ctime>
 #include <functional>
 #include <iostream>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <sys/resource.h>
 
 struct Mesh_cad_result
 {
@@ -56,13 +57,25 @@ struct Mesh_cad_result
 
 namespace mesh_cad {
 
+// of this process and of those it has waited for: files are read in one
+inline double processor_seconds()
+{
+  double result = 0;
+  for(int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage;
+    if(::getrusage(who, &usage) == 0)
+      result += double(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1e-6 * double(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+  }
+  return result;
+}
+
 // Calls `function` and returns its processor time in seconds.
 template <class Function>
 double seconds_of(Function function)
 {
-  const std::clock_t start = std::clock();
+  const double start = processor_seconds();
   function();
-  return double(std::clock() - start) / CLOCKS_PER_SEC;
+  return processor_seconds() - start;
 }
 
 inline void check_numbers(const std::string& option, std::size_t largest, std::size_t number, const std::string& what)
