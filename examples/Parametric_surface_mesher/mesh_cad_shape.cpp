@@ -31,7 +31,7 @@ int main(int argc, char** argv)
 
   CGAL::Open_cascade_model_3 shape = CGAL::make_model_of_open_cascade_shape(part);
   for(const auto& face : shape.left_out)
-    std::cout << "face " << face.shape_face << " is left out: " << face.reason << "\n";
+    std::cout << "face " << face.shape_face + 1 << " is left out: " << face.reason << "\n";
 
   // wanted edge lengths by the distance from the hole's axis
   shape.model.set_sizing_field([](const Kernel::Point_3& p) {

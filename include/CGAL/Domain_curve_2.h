@@ -13,6 +13,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
 #include <CGAL/Parametric_surface_mesher/internal/surfaces/Taylor_polynomial_2.h>
+#include <CGAL/number_type_config.h>
 
 #include <cmath>
 #include <functional>
@@ -91,7 +92,7 @@ public:
   /// the full circle, counterclockwise; it closes exactly.
   static Domain_curve_2 circle(const Point_2& center, double radius)
   {
-    Domain_curve_2 curve = arc(center, radius, 0, 8 * std::atan(1.));
+    Domain_curve_2 curve = arc(center, radius, 0, 2 * CGAL_PI);
     curve.m_target = curve.m_source;
     return curve;
   }

@@ -11,6 +11,7 @@
 #include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -88,7 +89,7 @@ public:
   double alpha() const
   {
     if(m_f == 0)
-      return m_e <= m_g ? 0 : 2 * std::atan(1.);
+      return m_e <= m_g ? 0 : CGAL_PI / 2;
     return 0.5 * std::atan2(-2 * m_f, m_g - m_e);
   }
 

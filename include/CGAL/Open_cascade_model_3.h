@@ -37,7 +37,7 @@ struct Open_cascade_model_3
   /// a face of the shape that is not in the model, or not in the mesh.
   struct Left_out_face
   {
-    std::size_t shape_face; ///< its number in the shape
+    std::size_t shape_face; ///< its index in the shape
     std::string reason;     ///< why
   };
 
@@ -45,14 +45,14 @@ struct Open_cascade_model_3
   /// that all of it is a vertex.
   struct Closed_up_face
   {
-    std::size_t shape_face; ///< its number in the shape
+    std::size_t shape_face; ///< its index in the shape
     double width;           ///< the largest distance that was measured across it
   };
 
   /// an edge whose curves are farther apart than its tolerance in the shape says.
   struct Gap
   {
-    std::size_t shape_edge; ///< the number of the edge in the shape
+    std::size_t shape_edge; ///< the index of the edge in the shape, from 0
     std::size_t shape_face; ///< a face with a curve in its domain that is so far from the edge
     /// the largest distance in space, between the image of that curve and the edge, or of their ends and the vertices
     double distance;
@@ -62,12 +62,12 @@ struct Open_cascade_model_3
   /// an edge that a face has inside, not as a boundary: the mesh does not follow it.
   struct Inner_edge
   {
-    std::size_t shape_edge; ///< the number of the edge in the shape
-    std::size_t shape_face; ///< the number of the face
+    std::size_t shape_edge; ///< the index of the edge in the shape, from 0
+    std::size_t shape_face; ///< the index of the face in the shape, from 0
   };
 
   Model model; ///< its first edges are those of the shape, in their order; then come collapsed ones that the shape lacks
-  /// for each face of the model, its number in the shape; a face between two shells appears twice
+  /// for each face of the model, its index in the shape; a face between two shells appears twice
   std::vector<std::size_t> shape_faces;
   /// for each edge of the shape, those of the model along it: the same, unless a face is closed up; none if it is a vertex
   std::vector<std::vector<std::size_t>> model_edges;

@@ -17,6 +17,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Origin.h>
+#include <CGAL/number_type_config.h>
 
 #include <cmath>
 #include <sstream>
@@ -149,7 +150,7 @@ public:
   {
     if(radius != 0)
       Base::check_positive("cone", "radius", radius);
-    if(semi_angle == 0 || !(std::abs(semi_angle) < 2 * std::atan(1.)))
+    if(semi_angle == 0 || !(std::abs(semi_angle) < CGAL_PI / 2))
       Base::refuse("cone", "semi-angle in (-pi/2, pi/2) and not 0", semi_angle);
   }
 

@@ -20,9 +20,11 @@ namespace CGAL {
 /*!
 \ingroup PkgParametricSurfaceMesherRef
 
-The exception for input that cannot be meshed. The message names the place (loop, segment, parameter values,
-file and line) and what is wrong with it. It is thrown before any output is written, with and
-without `NDEBUG`.
+The exception for input that cannot be meshed. The message names the place (face, loop, segment, parameter values, file and
+line) and what is wrong with it. It is thrown before any output is written, with and without `NDEBUG`.
+
+Messages count faces, edges, vertices, loops, curves and segments from 1. Indices in the interface, that of `face()` too,
+begin at 0.
 */
 class Parametric_surface_mesh_error
   : public std::runtime_error
@@ -35,7 +37,7 @@ public:
   /// an error that concerns one face of a model.
   Parametric_surface_mesh_error(const std::string& what, std::size_t face) : std::runtime_error(what), m_face(face) {}
 
-  /// the number of the face of the model that cannot be meshed, if it is a certain one.
+  /// the index of the face of the model that cannot be meshed, if the error concerns a single one.
   std::optional<std::size_t> face() const { return m_face; }
 };
 

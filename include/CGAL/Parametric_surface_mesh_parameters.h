@@ -75,7 +75,7 @@ auto halfedge_uv_map(const HalfedgeUvMap& map, const Others&... others)
 /*!
 \ingroup PkgParametricSurfaceMesherRef
 
-the named parameter for the property map that takes, for each face of the mesh, the number of the patch it lies on: a model
+the named parameter for the property map that takes, for each face of the mesh, the index, from 0, of the patch that it lies on: a model
 of `WritablePropertyMap` with value type `std::size_t`. See `vertex_uv_map()` on how to combine it.
 */
 template <class FacePatchIdMap, class... Others>

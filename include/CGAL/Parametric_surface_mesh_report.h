@@ -41,7 +41,7 @@ struct Parametric_surface_mesh_report
   /// a triangle that fails a criterion.
   struct Unmet
   {
-    std::size_t face;         ///< number of the face in the mesh, in the order of its creation
+    std::size_t face;         ///< index of the face in the mesh, in the order of its creation
     Mesh_criterion criterion; ///< what it fails first, in the order size, angle, deviation, distance
     Unmet_cause cause;        ///< why
   };
@@ -49,7 +49,7 @@ struct Parametric_surface_mesh_report
   /// a face of the model that the mesh is without: see `CGAL::parameters::leaves_out_bad_faces()`.
   struct Left_out_face
   {
-    std::size_t face;   ///< its number in the model
+    std::size_t face;   ///< its index in the model
     std::string reason; ///< the error that it causes
   };
 
@@ -89,7 +89,7 @@ struct Parametric_surface_mesh_report
   double smallest_angle = 180;             ///< over all triangles
   double smallest_angle_off_boundary = 180; ///< over the triangles that are not boundary-limited
   std::vector<Unmet> unmet;                ///< every triangle that fails a criterion
-  std::vector<Left_out_face> left_out;     ///< faces of the model that could not be meshed, by their numbers
+  std::vector<Left_out_face> left_out;     ///< faces of the model that could not be meshed, by their indices
   Seconds seconds;
 
   /// the number of triangles that fail `criterion` for `cause`.

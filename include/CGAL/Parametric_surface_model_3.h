@@ -13,6 +13,7 @@
 #include <CGAL/Domain_curve_2.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Space_curve_3.h>
 
 #include <cstddef>
@@ -98,7 +99,7 @@ private:
 
 public:
   /// \name Construction
-  /// Each function returns the number of the new element.
+  /// Each function returns the index, from 0, of the new element.
   /// @{
 
   std::size_t add_vertex(const Point_3& p)
@@ -168,7 +169,7 @@ public:
   /// \name Validation
   /// @{
 
-  /// \throws Parametric_surface_mesh_error if a vertex of the edge with this number does not exist, or they differ though the
+  /// \throws Parametric_surface_mesh_error if a vertex of the edge with this index does not exist, or they differ though the
   /// edge is collapsed
   void check_vertices_of_edge(std::size_t number) const { check_vertices(m_edges[number], number); }
   /// @}
@@ -176,14 +177,15 @@ public:
 private:
   void check_vertices(const Edge& edge, std::size_t number) const
   {
+    using Parametric_surface_mesher::internal::numbered;
     for(std::size_t vertex : {edge.source, edge.target})
       if(vertex >= m_vertices.size())
-        throw Parametric_surface_mesh_error("edge " + std::to_string(number) + ": there is no vertex " + std::to_string(vertex)
-                                            + ", only " + std::to_string(m_vertices.size()) + " vertices");
+        throw Parametric_surface_mesh_error(numbered("edge", number) + ": there is no vertex with index "
+                                            + std::to_string(vertex) + ", only " + std::to_string(m_vertices.size()) + " vertices");
     if(edge.is_collapsed && edge.source != edge.target)
-      throw Parametric_surface_mesh_error("edge " + std::to_string(number) + " is collapsed and must end at the vertex where it "
-                                          "begins, but runs from vertex " + std::to_string(edge.source) + " to vertex "
-                                          + std::to_string(edge.target));
+      throw Parametric_surface_mesh_error(numbered("edge", number) + " is collapsed and must end at the vertex where it begins, "
+                                          "but runs from " + numbered("vertex", edge.source) + " to "
+                                          + numbered("vertex", edge.target));
   }
 };
 

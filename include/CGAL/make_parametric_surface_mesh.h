@@ -234,7 +234,7 @@ Criteria, mesh, named parameters, report and exceptions are as above; in additio
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{face_patch_id_map}
-    \cgalParamDescription{a property map that takes, for each face of the mesh, the number of the patch that it lies on}
+    \cgalParamDescription{a property map that takes, for each face of the mesh, the index, from 0, of the patch that it lies on}
     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor`
                    as key type and `std::size_t` as value type}
     \cgalParamDefault{none}

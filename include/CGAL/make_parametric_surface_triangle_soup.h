@@ -66,7 +66,7 @@ polygon soups have it
 \param points takes the points: those vertices of the model that faces use, the inner points of its edges, the inner points
 of its faces
 \param triangles takes the triangles, counterclockwise as the faces of the model face
-\param patch_ids takes the number of the face of the model that each triangle lies on
+\param patch_ids takes the index, from 0, of the face of the model that each triangle lies on
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
 
 What the three ranges held before is lost, unless the input is refused: then they stay as they were.

@@ -199,7 +199,7 @@ TEST(Bad_input, derivatives)
 TEST(Bad_input, domain_that_is_not_finite)
 {
   for(double value : {not_a_number, infinity})
-    check_refused(Domain({Point_2(0, 0), Point_2(value, 0), Point_2(1, 1)}), "loop 0");
+    check_refused(Domain({Point_2(0, 0), Point_2(value, 0), Point_2(1, 1)}), "loop 1");
 }
 
 TEST(Bad_input, open_loop)
@@ -207,29 +207,29 @@ TEST(Bad_input, open_loop)
   check_refused(Domain(Domain::Loop{Curve::segment(Point_2(0, 0), Point_2(1, 0)),
                                     Curve::segment(Point_2(1, 0), Point_2(0.75, 1)),
                                     Curve::segment(Point_2(0.5, 1), Point_2(0, 0))}),
-                "loop 0", "open", "curve 1", "(0.75, 1)", "(0.5, 1)");
-  check_refused(square_with_holes({small_square(0.1, 0.1, 0.2), {Curve::arc(Point_2(0.7, 0.7), 0.1, 0, 3)}}), "loop 2", "open",
-                "curve 0");
+                "loop 1", "open", "curve 2", "(0.75, 1)", "(0.5, 1)");
+  check_refused(square_with_holes({small_square(0.1, 0.1, 0.2), {Curve::arc(Point_2(0.7, 0.7), 0.1, 0, 3)}}), "loop 3", "open",
+                "curve 1");
 }
 
 TEST(Bad_input, empty_loop)
 {
-  check_refused(Domain(Domain::Loop()), "loop 0", "no curve");
-  check_refused(square_with_holes({{}}), "loop 1", "no curve");
+  check_refused(Domain(Domain::Loop()), "loop 1", "no curve");
+  check_refused(square_with_holes({{}}), "loop 2", "no curve");
 }
 
 TEST(Bad_input, loops_of_two_points)
 {
   Domain::Loop loop = Domain::polygon({Point_2(0, 0), Point_2(1, 0)});
-  check_refused(Domain(loop), "loop 0");
+  check_refused(Domain(loop), "loop 1");
   for(Curve& curve : loop)
     curve.set_number_of_edges(1);
-  check_refused(Domain(loop), "loop 0", "2 edges", "3");
+  check_refused(Domain(loop), "loop 1", "2 edges", "3");
 }
 
 TEST(Bad_input, curve_of_length_zero)
 {
-  check_refused(Domain({Point_2(0, 0), Point_2(1, 0), Point_2(1, 0), Point_2(1, 1)}), "loop 0", "length zero", "(1, 0)");
+  check_refused(Domain({Point_2(0, 0), Point_2(1, 0), Point_2(1, 0), Point_2(1, 1)}), "loop 1", "length zero", "(1, 0)");
 }
 
 TEST(Bad_input, crossing_segments_are_both_named)
@@ -237,43 +237,43 @@ TEST(Bad_input, crossing_segments_are_both_named)
   Domain::Loop bow_tie = Domain::polygon({Point_2(0, 0), Point_2(1, 1), Point_2(1, 0), Point_2(0, 1)});
   for(Curve& curve : bow_tie)
     curve.set_number_of_edges(1);
-  check_refused(Domain(bow_tie), "crosses", "segment 0 of loop 0", "(0, 0) to (1, 1)", "segment 2 of loop 0", "(1, 0) to (0, 1)");
+  check_refused(Domain(bow_tie), "crosses", "segment 1 of loop 1", "(0, 0) to (1, 1)", "segment 3 of loop 1", "(1, 0) to (0, 1)");
 }
 
 TEST(Bad_input, crossing_loops)
 {
-  check_refused(square_with_holes({small_square(0.8, 0.4, 0.4)}), "crosses", "of loop 0", "of loop 1");
-  check_refused(square_with_holes({small_square(0.2, 0.2, 0.3), small_square(0.4, 0.4, 0.3)}), "crosses", "of loop 1",
-                "of loop 2");
+  check_refused(square_with_holes({small_square(0.8, 0.4, 0.4)}), "crosses", "of loop 1", "of loop 2");
+  check_refused(square_with_holes({small_square(0.2, 0.2, 0.3), small_square(0.4, 0.4, 0.3)}), "crosses", "of loop 2",
+                "of loop 3");
 }
 
 TEST(Bad_input, loops_that_touch)
 {
   // along a side, in a point where only one of them has a corner, and a loop with itself
-  check_refused(square_with_holes({small_square(0.2, 0.2, 0.2), small_square(0.4, 0.3, 0.2)}), "touches", "of loop 1",
-                "of loop 2", "(0.4", "0.4");
-  check_refused(square_with_holes({small_square(0, 0.2, 0.2)}), "touches", "of loop 0", "of loop 1");
+  check_refused(square_with_holes({small_square(0.2, 0.2, 0.2), small_square(0.4, 0.3, 0.2)}), "touches", "of loop 2",
+                "of loop 3", "(0.4", "0.4");
+  check_refused(square_with_holes({small_square(0, 0.2, 0.2)}), "touches", "of loop 1", "of loop 2");
   check_refused(Domain({Point_2(0, 0), Point_2(1, 0), Point_2(1, 1), Point_2(0.5, 0), Point_2(0, 1)}), "touches",
-                "of loop 0, ", "(0.5, 0)");
+                "of loop 1, ", "(0.5, 0)");
 }
 
 TEST(Bad_input, side_that_folds_back)
 {
-  check_refused(Domain({Point_2(0, 0), Point_2(2, 0), Point_2(1, 0), Point_2(1, 1)}), "touches", "of loop 0");
+  check_refused(Domain({Point_2(0, 0), Point_2(2, 0), Point_2(1, 0), Point_2(1, 1)}), "touches", "of loop 1");
 }
 
 TEST(Bad_input, wrong_nesting)
 {
-  check_refused(square_with_holes({small_square(2, 2, 0.5)}), "loop 1", "outside", "(2, 2)");
-  check_refused(square_with_holes({small_square(0.2, 0.2, 0.6), small_square(0.4, 0.4, 0.2)}), "loop 2",
+  check_refused(square_with_holes({small_square(2, 2, 0.5)}), "loop 2", "outside", "(2, 2)");
+  check_refused(square_with_holes({small_square(0.2, 0.2, 0.6), small_square(0.4, 0.4, 0.2)}), "loop 3",
                 "inside another hole", "(0.4");
-  check_refused(square_with_holes({small_square(-1, -1, 3)}), "loop 0", "outer", "inside");
+  check_refused(square_with_holes({small_square(-1, -1, 3)}), "loop 1", "outer", "inside");
 }
 
 TEST(Bad_input, domain_of_area_zero)
 {
-  check_refused(Domain({Point_2(0, 0), Point_2(1, 1), Point_2(3, 3)}), "loop 0");
-  check_refused(Domain({Point_2(1, 1), Point_2(1, 1), Point_2(1, 1)}), "loop 0");
+  check_refused(Domain({Point_2(0, 0), Point_2(1, 1), Point_2(3, 3)}), "loop 1");
+  check_refused(Domain({Point_2(1, 1), Point_2(1, 1), Point_2(1, 1)}), "loop 1");
 }
 
 TEST(Bad_input, degenerate_surface)
@@ -371,42 +371,42 @@ TEST(Bad_input, numbers_in_a_model)
 {
   Mesh mesh;
   EXPECT_GT(CGAL::make_parametric_surface_mesh(two_triangles(), small_edges(), mesh).number_of_faces, 100u);
-  check_model_refused([](Plane_model& model) { model.edges()[1].target = 4; }, "edge 1", "no vertex 4", "only 4 vertices");
-  check_model_refused([](Plane_model& model) { model.edges()[1].source = std::size_t(-1); }, "edge 1", "no vertex");
-  check_model_refused([](Plane_model& model) { model.edges()[2].is_collapsed = true; }, "edge 2 is collapsed", "vertex 2", "vertex 3");
+  check_model_refused([](Plane_model& model) { model.edges()[1].target = 4; }, "edge 2", "no vertex with index 4", "only 4 vertices");
+  check_model_refused([](Plane_model& model) { model.edges()[1].source = std::size_t(-1); }, "edge 2", "no vertex");
+  check_model_refused([](Plane_model& model) { model.edges()[2].is_collapsed = true; }, "edge 3 is collapsed", "vertex 3", "vertex 4");
   const auto use_edge_5 = [](Plane_model& model) { model.faces()[1].loops[0][2].edge = 5; };
-  check_model_refused(use_edge_5, "face 1", "loop 0", "no edge 5", "only 5 edges");
+  check_model_refused(use_edge_5, "face 2", "loop 1", "no edge with index 5", "only 5 edges");
   Plane_model model = two_triangles();
   use_edge_5(model);
-  expect_refused([&] { CGAL::Parametric_surface_mesher::orient_faces(model); }, "no edge 5");
-  expect_refused([&] { model.add_edge(0, 4); }, "no vertex 4");
+  expect_refused([&] { CGAL::Parametric_surface_mesher::orient_faces(model); }, "no edge with index 5");
+  expect_refused([&] { model.add_edge(0, 4); }, "no vertex with index 4");
   expect_refused([&] { model.add_edge(0, 1, true); }, "collapsed");
 }
 
 TEST(Bad_input, loops_of_a_model)
 {
   check_model_refused([](Plane_model& model) { model.faces().clear(); }, "no faces");
-  check_model_refused([](Plane_model& model) { model.faces()[1].loops.clear(); }, "face 1 has no loop");
-  check_model_refused([](Plane_model& model) { model.faces()[1].loops.emplace_back(); }, "face 1", "loop 1", "no edge");
-  check_model_refused([](Plane_model& model) { model.faces()[0].loops[0][2].is_reversed = false; }, "face 0", "loop 0", "open");
-  check_model_refused([](Plane_model& model) { model.faces()[0].is_reversed = true; }, "faces 0 and 1", "orient_faces");
+  check_model_refused([](Plane_model& model) { model.faces()[1].loops.clear(); }, "face 2 has no loop");
+  check_model_refused([](Plane_model& model) { model.faces()[1].loops.emplace_back(); }, "face 2", "loop 2", "no edge");
+  check_model_refused([](Plane_model& model) { model.faces()[0].loops[0][2].is_reversed = false; }, "face 1", "loop 1", "open");
+  check_model_refused([](Plane_model& model) { model.faces()[0].is_reversed = true; }, "faces 1 and 2", "orient_faces");
   for(double value : {not_a_number, infinity})
     check_model_refused([&](Plane_model& model) {
       auto& curve = model.faces()[1].loops[0][0].curve;
       curve.set_end_points(Point_2(value, 1), curve.target());
-    }, "face 1", "edge 2", "(" + word(value) + ", 1)", "not finite");
+    }, "face 2", "edge 3", "(" + word(value) + ", 1)", "not finite");
 }
 
 TEST(Bad_input, lengths_in_a_model)
 {
   for(double value : {-1., infinity, not_a_number}) {
     const std::string range = "at least 0 and finite, and is " + word(value);
-    check_model_refused([&](Plane_model& model) { model.faces()[1].max_edge = value; }, "edge length of face 1", range);
-    check_model_refused([&](Plane_model& model) { model.edges()[3].max_edge = value; }, "edge 3", range);
-    check_model_refused([&](Plane_model& model) { model.edges()[3].tolerance = value; }, "tolerance of edge 3", range);
+    check_model_refused([&](Plane_model& model) { model.faces()[1].max_edge = value; }, "edge length of face 2", range);
+    check_model_refused([&](Plane_model& model) { model.edges()[3].max_edge = value; }, "edge 4", range);
+    check_model_refused([&](Plane_model& model) { model.edges()[3].tolerance = value; }, "tolerance of edge 4", range);
     expect_refused([&] { two_triangles().set_tolerance(value); }, "tolerance of the model", range);
   }
   Plane_model model = two_triangles();
   model.add_vertex(Point_3(0, not_a_number, 0));
-  expect_refused([&] { CGAL::Parametric_surface_mesher::validate(model); }, "vertex 4", "nan", "not finite");
+  expect_refused([&] { CGAL::Parametric_surface_mesher::validate(model); }, "vertex 5", "nan", "not finite");
 }

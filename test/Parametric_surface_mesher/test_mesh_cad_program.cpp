@@ -24,6 +24,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -97,6 +98,20 @@ TEST_F(Mesh_cad_program, writes_closed_meshes_in_all_formats)
       EXPECT_NEAR(volume(name), 6, 1e-6) << name;
     }
   }
+}
+
+// As in all other formats, messages and the JSON file: faces are counted from 1.
+TEST_F(Mesh_cad_program, counts_faces_from_1_in_ply_files)
+{
+  ASSERT_EQ(run("box.brep --quiet --faces 2,6 --out box.ply").status, 0);
+  const std::string ply = content(file("box.ply"));
+  EXPECT_NE(ply.find("property uint face_id\nend_header"), std::string::npos);
+  EXPECT_EQ(ply.find(" patch\n"), std::string::npos);
+  std::istringstream triangles(ply.substr(ply.find("\n3 ") + 1));
+  std::set<std::size_t> faces;
+  for(std::size_t n, a, b, c, face; triangles >> n >> a >> b >> c >> face;)
+    faces.insert(face);
+  EXPECT_EQ(faces, (std::set<std::size_t>{2, 6}));
 }
 
 TEST_F(Mesh_cad_program, tells_the_face_of_each_triangle)
@@ -259,8 +274,8 @@ TEST_F(Mesh_cad_program, refuses_what_it_cannot_do)
   std::ofstream(file("garbage.brep")) << "garbage\n";
   expect_refused("", "no input file");
   expect_refused("nowhere.step --out a.off", "cannot open");
-  expect_refused("garbage.step --out a.off", "no STEP file");
-  expect_refused("garbage.brep --out a.off", "no BREP file");
+  expect_refused("garbage.step --out a.off", "as STEP");
+  expect_refused("garbage.brep --out a.off", "as BREP");
   expect_refused("box.txt --out a.off", "cannot open");
   expect_refused("box.step box.brep", "more than one");
   expect_refused("box.step --out a.xyz", ".off or .obj");
@@ -268,10 +283,10 @@ TEST_F(Mesh_cad_program, refuses_what_it_cannot_do)
   expect_refused("box.step --max-edge -1", "--max-edge");
   expect_refused("box.step --max-edge 1 --min-edge 2", "--min-edge");
   expect_refused("box.step --faces 7", "there is no face 7");
-  expect_refused("box.step --faces 3-1", "no range");
+  expect_refused("box.step --faces 3-1", "ascending");
   expect_refused("box.step --face-size 1", "--face-size");
   expect_refused("box.step --edge-size 99:1", "there is no edge 99");
-  expect_refused("box.step --unit PARSEC", "no unit");
+  expect_refused("box.step --unit PARSEC", "not a unit");
   expect_refused("box.step --out nowhere/a.off", "cannot write");
 }
 

@@ -350,7 +350,7 @@ TEST(Models, errors_name_the_face_and_leave_the_mesh)
   std::swap(model.faces()[5].loops[0][0].curve, model.faces()[5].loops[0][2].curve);
   Mesh mesh;
   CGAL::make_triangle(Point_3(1, 2, 3), Point_3(4, 5, 6), Point_3(7, 8, 10), mesh);
-  expect_refused([&] { CGAL::make_parametric_surface_mesh(model, Criteria().set_max_edge(0.5), mesh); }, "face 5");
+  expect_refused([&] { CGAL::make_parametric_surface_mesh(model, Criteria().set_max_edge(0.5), mesh); }, "face 6");
   EXPECT_EQ(3u, mesh.number_of_vertices());
   EXPECT_EQ(1u, mesh.number_of_faces());
 }

@@ -231,7 +231,7 @@ TEST(Parallel, the_first_error_is_thrown)
     FAIL() << "accepted";
   }
   catch(const CGAL::Parametric_surface_mesh_error& error) {
-    EXPECT_NE(std::string::npos, std::string(error.what()).find("face 2")) << error.what();
+    EXPECT_NE(std::string::npos, std::string(error.what()).find("face 3")) << error.what();
   }
   EXPECT_TRUE(mesh.is_empty());
 }

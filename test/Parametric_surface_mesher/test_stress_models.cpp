@@ -354,7 +354,7 @@ TEST(Edges_with_curves, within_the_default_tolerance) { check_two_squares(two_sq
 
 TEST(Edges_with_curves, beyond_the_default_tolerance)
 {
-  expect_model_refused(two_squares(1e-4, true), "face 0", "edge 1", "away from the curve of the edge", "tolerance");
+  expect_model_refused(two_squares(1e-4, true), "face 1", "edge 2", "away from the curve of the edge", "tolerance");
 }
 
 TEST(Edges_with_curves, within_a_tolerance_of_the_model)
@@ -363,7 +363,7 @@ TEST(Edges_with_curves, within_a_tolerance_of_the_model)
   model.set_tolerance(2e-4);
   check_two_squares(model);
   model.set_tolerance(5e-5);
-  expect_model_refused(model, "face 0", "edge 1", "5e-05");
+  expect_model_refused(model, "face 1", "edge 2", "5e-05");
 }
 
 TEST(Edges_with_curves, within_a_tolerance_of_the_edge)
@@ -378,36 +378,36 @@ TEST(Edges_with_curves, within_a_tolerance_of_the_edge)
 
 TEST(Edges_with_curves, uses_without_a_curve)
 {
-  expect_model_refused(two_squares(1e-4), "face 1", "edge 1", "away from", "face 0");
+  expect_model_refused(two_squares(1e-4), "face 2", "edge 2", "away from", "face 1");
 }
 
 // A tolerance chosen by the message must do.
 TEST(Edges_with_curves, largest_distance_is_named)
 {
   const double gap = 1. / 8192;
-  expect_model_refused(two_squares(gap, true), "face 0", "edge 1", "0.00012207");
-  expect_model_refused(two_squares(gap), "face 1", "edge 1", "0.00012207");
+  expect_model_refused(two_squares(gap, true), "face 1", "edge 2", "0.00012207");
+  expect_model_refused(two_squares(gap), "face 2", "edge 2", "0.00012207");
 }
 
 TEST(Validation, open_by_vertex)
 {
   Model model = two_squares(0);
   first_loop(model, 0)[1].edge = 5;
-  expect_model_refused(model, "face 0", "loop 0", "open", "vertex");
+  expect_model_refused(model, "face 1", "loop 1", "open", "vertex");
 }
 
 TEST(Validation, open_in_the_domain)
 {
   Model model = two_squares(0);
   first_loop(model, 0)[1].curve = Curve::segment(Point_2(1, 0.125), Point_2(1, 1));
-  expect_model_refused(model, "face 0", "loop 0", "open in the domain", "(1, 0.125)");
+  expect_model_refused(model, "face 1", "loop 1", "open in the domain", "(1, 0.125)");
 }
 
 TEST(Validation, wrong_number_of_an_edge)
 {
   Model model = two_squares(0);
   first_loop(model, 1)[2].edge = 77;
-  expect_model_refused(model, "face 1", "loop 0", "no edge 77");
+  expect_model_refused(model, "face 2", "loop 1", "no edge with index 77");
 }
 
 TEST(Validation, different_ranges_of_parameters)
@@ -415,7 +415,7 @@ TEST(Validation, different_ranges_of_parameters)
   Model model = two_squares(0);
   first_loop(model, 1)[3].curve
     = Curve([](double t) { return Curve::Jet{Point_2(0, t / 2), Vector_2(0, 0.5), Vector_2(0, 0)}; }, 0, 2);
-  expect_model_refused(model, "face 1", "edge 1", "0 to 2", "0 to 1");
+  expect_model_refused(model, "face 2", "edge 2", "0 to 2", "0 to 1");
 }
 
 TEST(Validation, different_speeds_of_parameters)
@@ -423,7 +423,7 @@ TEST(Validation, different_speeds_of_parameters)
   Model model = two_squares(0);
   first_loop(model, 1)[3].curve
     = Curve([](double t) { return Curve::Jet{Point_2(0, t * t), Vector_2(0, 2 * t), Vector_2(0, 2)}; }, 0, 1);
-  expect_model_refused(model, "face 1", "edge 1", "away from", "face 0");
+  expect_model_refused(model, "face 2", "edge 2", "away from", "face 1");
 }
 
 TEST(Validation, vertex_that_is_elsewhere)
@@ -432,7 +432,7 @@ TEST(Validation, vertex_that_is_elsewhere)
   model.add_vertex(Point_3(0, 0, 0.01));
   model.add_edge(0, 0);
   model.add_face({flat(), {{{0, false, Curve::circle(Point_2(0, 1), 1)}}}});
-  expect_model_refused(model, "face 0", "edge 0", "vertex 0");
+  expect_model_refused(model, "face 1", "edge 1", "vertex 1");
 }
 
 TEST(Validation, collapsed_edge_that_is_none)
@@ -441,14 +441,14 @@ TEST(Validation, collapsed_edge_that_is_none)
   model.add_vertex(Point_3(1, 0, 0));
   model.add_edge(0, 0, true);
   model.add_face({flat(), {{{0, false, Curve::circle(Point_2(0, 0), 1)}}}});
-  expect_model_refused(model, "face 0", "edge 0", "vertex 0", "2");
+  expect_model_refused(model, "face 1", "edge 1", "vertex 1", "2");
 }
 
 TEST(Validation, faces_that_face_to_different_sides)
 {
   Model model = two_squares(0);
   model.faces()[1].is_reversed = true;
-  expect_model_refused(model, "faces 0 and 1", "edge 1");
+  expect_model_refused(model, "faces 1 and 2", "edge 2");
   CGAL::Parametric_surface_mesher::orient_faces(model);
   EXPECT_FALSE(model.faces()[1].is_reversed);
   check_two_squares(model);
@@ -458,9 +458,9 @@ TEST(Validation, missing_loops_and_edges)
 {
   Model without_loop = two_squares(0), without_edge = two_squares(0);
   without_loop.faces()[1].loops.clear();
-  expect_model_refused(without_loop, "face 1", "no loop");
+  expect_model_refused(without_loop, "face 2", "no loop");
   without_edge.faces()[1].loops.emplace_back();
-  expect_model_refused(without_edge, "face 1", "loop 1", "no edge");
+  expect_model_refused(without_edge, "face 2", "loop 2", "no edge");
 }
 
 TEST(Validation, empty_model) { expect_model_refused(Model(), ""); }
@@ -470,7 +470,7 @@ TEST(Validation, nan_in_a_surface)
   Model model = two_squares(0);
   model.faces()[1].surface
     = function_surface([](auto u, auto v) { return CGAL::parametric_surface_point(1 + u, v, 0 * u / (v - v)); });
-  expect_model_refused(model, "face 1");
+  expect_model_refused(model, "face 2");
 }
 
 TEST(Validation, crossing_loops_name_the_face)
@@ -488,7 +488,7 @@ TEST(Validation, crossing_loops_name_the_face)
       0, 1);
   };
   model.faces()[1].loops = {{{e, false, bow(0.1)}, {f, true, bow(-0.1)}}};
-  expect_model_refused(model, "face 1", "cross", "loop 0");
+  expect_model_refused(model, "face 2", "cross", "loop 1");
 }
 
 TEST(Orientation, cubes_of_all_directions)
@@ -550,8 +550,8 @@ TEST(Orientation, face_that_meets_itself)
 TEST(Orientation, moebius_strip_of_one_face)
 {
   Model model = strip_of_one_face(1);
-  expect_model_refused(model, "faces 0 and 0", "edge 1");
-  expect_refused([&] { CGAL::Parametric_surface_mesher::orient_faces(model); }, "not orientable", "edge 1");
+  expect_model_refused(model, "faces 1 and 1", "edge 2");
+  expect_refused([&] { CGAL::Parametric_surface_mesher::orient_faces(model); }, "not orientable", "edge 2");
 }
 
 TEST(Solids, box_from_the_samples)

@@ -412,7 +412,7 @@ TEST(Seams_by_hand, torus_with_a_winding_seam)
 
 TEST(Seams_by_hand, torus_with_an_open_seam_is_refused)
 {
-  expect_refused([] { mesh_and_check(torus_by_hand(1), Criteria().set_max_edge(0.1)); }, "face 0", "edge 0");
+  expect_refused([] { mesh_and_check(torus_by_hand(1), Criteria().set_max_edge(0.1)); }, "face 1", "edge 1");
 }
 
 TEST(Seams_by_hand, coarsest_sphere)

@@ -389,13 +389,13 @@ TEST(Shared_thin_curves, two_crescents)
 TEST(Crossing_trims, circles)
 {
   for(const Loop& hole : {circle(Point_2(0.5, 0), 0.6), circle(Point_2(0.4, 0), 0.6001)})
-    expect_patch_refused(with_holes(Domain(circle(origin, 1)), {hole}), 0.2, "of loop 0", "of loop 1");
+    expect_patch_refused(with_holes(Domain(circle(origin, 1)), {hole}), 0.2, "of loop 1", "of loop 2");
 }
 
 TEST(Crossing_trims, holes)
 {
   const std::vector<Loop> holes = {circle(Point_2(0.3, 0.5), 0.2), circle(Point_2(0.69, 0.5), 0.2)};
-  expect_patch_refused(with_holes(square(), holes), 0.1, "of loop 1", "of loop 2");
+  expect_patch_refused(with_holes(square(), holes), 0.1, "of loop 2", "of loop 3");
 }
 
 TEST(Crossing_trims, loop_with_itself)
@@ -406,7 +406,7 @@ TEST(Crossing_trims, loop_with_itself)
       return std::make_pair(sin(t), sin(2 * t));
     },
     0.5, 0.5 + 2 * pi)});
-  expect_patch_refused(eight, 0.1, "of loop 0", "of loop 0");
+  expect_patch_refused(eight, 0.1, "of loop 1", "of loop 1");
 }
 
 TEST(Crossing_trims, arcs_that_cross_beside_their_common_end)
@@ -418,7 +418,7 @@ TEST(Crossing_trims, arcs_that_cross_beside_their_common_end)
       return std::make_pair(t, 0.1 * sin(2 * pi * t));
     },
     0, 1);
-  expect_patch_refused(Domain(Loop{wave, Curve::segment(wave.target(), wave.source())}), 0.1, "segment", "of loop 0");
+  expect_patch_refused(Domain(Loop{wave, Curve::segment(wave.target(), wave.source())}), 0.1, "segment", "of loop 1");
 }
 
 TEST(Crossing_trims, prescribed_divisions)
@@ -426,7 +426,7 @@ TEST(Crossing_trims, prescribed_divisions)
   Domain ring = with_holes(Domain(circle(origin, 1)), {{Curve::arc(origin, 0.98, 0.2, 0.2 + 2 * pi)}});
   ring.loops()[0][0].set_number_of_edges(6);
   ring.loops()[1][0].set_number_of_edges(7);
-  expect_patch_refused(ring, 0.5, "of loop 0", "of loop 1");
+  expect_patch_refused(ring, 0.5, "of loop 1", "of loop 2");
 }
 
 TEST(Crossing_trims, one_prescribed_division)
@@ -434,7 +434,7 @@ TEST(Crossing_trims, one_prescribed_division)
   // the outer polygon stays, and lies inside the inner circle
   Domain ring = with_holes(Domain(circle(origin, 1)), {circle(origin, 0.98)});
   ring.loops()[0][0].set_number_of_edges(6);
-  expect_patch_refused(ring, 0.5, "of loop 0", "of loop 1");
+  expect_patch_refused(ring, 0.5, "of loop 1", "of loop 2");
   // the inner polygon is inside, however coarse it is, and the outer one can be refined
   ring.loops()[0][0].set_number_of_edges(0);
   ring.loops()[1][0].set_number_of_edges(6);

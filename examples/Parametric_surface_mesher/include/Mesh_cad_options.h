@@ -43,35 +43,36 @@ namespace po = boost::program_options;
 const char* const introduction =
   "Usage: mesh_cad INPUT [OPTION]...\n"
   "\n"
-  "Meshes the faces of a CAD file and prints what came out.\n"
+  "Meshes the faces of a CAD file and prints a summary.\n"
   "\n"
   "INPUT is a STEP (.step .stp), IGES (.iges .igs) or BREP file (.brep .rle) with faces.\n";
 
 const char* const conclusion =
   "\n"
-  "Faces and edges are counted from 1, as Open CASCADE and Gmsh count them. The files .vtu, .msh\n"
-  "and .inp tell the face of each triangle. In the file the triangles of a solid face outward.\n"
+  "Faces and edges are counted from 1, as Open CASCADE and Gmsh count them. The files .ply, .vtu,\n"
+  ".msh and .inp hold the number of the face of each triangle. Triangles of a solid face outward.\n"
   "\n"
   "A face that cannot be meshed is left out and listed with the reason; the others are meshed.\n"
   "A face that is nowhere wider than a millionth of the diagonal is closed up, and listed: it has\n"
   "no triangles, and the faces on both sides of it meet.\n"
-  "The numbers of --json are, among others:\n"
-  "  faces, meshed_faces            faces of the shape, and those in the mesh\n"
-  "  left_out, closed_up            the others: those that could not be meshed, and the narrow ones\n"
-  "  collapsed_edges                edges as short, which are a vertex\n"
+  "\n"
+  "The file of --json contains, among others:\n"
+  "  faces, meshed_faces            the number of faces of the shape, and of those in the mesh\n"
+  "  left_out, closed_up            faces that could not be meshed; faces that are closed up\n"
+  "  collapsed_edges                edges so short that they became a vertex\n"
   "  triangles, vertices, min_angle, mean_min_angle, mean_radius_ratio\n"
-  "  min_angle_apart_from_corners   the smallest angle but for those in corners of faces below 30\n"
-  "                                 degrees, where the corner is not divided\n"
+  "  min_angle_apart_from_corners   the smallest angle, apart from undivided corners of faces with\n"
+  "                                 less than 30 degrees\n"
   "  below_10, below_10_at_corners  triangles with an angle below 10 degrees, and those of them\n"
-  "                                 with that angle in a corner of a face that is as sharp\n"
+  "                                 that have it in an equally sharp corner of a face\n"
   "  tiny_edges, sliver_faces       edges shorter than 1/1000 of the diagonal; faces with\n"
   "                                 4 pi area / perimeter^2 below 0.01\n"
   "  closed, shape_closed           whether the mesh, and the shape, has no border\n"
-  "  distance                       largest distance measured from surfaces and edges to the mesh;\n"
-  "  distance_over_diagonal         over the diagonal of the shape's box\n"
+  "  distance                       the largest distance measured from surfaces and edges to the mesh\n"
+  "  distance_over_diagonal         the same as a share of the diagonal of the shape's bounding box\n"
   "  inner_edges                    edges inside faces, which the mesh does not follow\n"
   "  sewn_edges, lost_faces         pairs of edges joined, and faces lost, by sewing\n"
-  "  largest_gap                    between an edge and a curve in the domain of a face\n"
+  "  largest_gap                    the largest distance of an edge from one of its faces\n"
   "  seconds                        processor time: reading, model, meshing, measuring\n"
   "\n"
   "Exit status: 0 if all faces are meshed, or closed up; 1 if some are left out, and the files\n"
@@ -84,25 +85,25 @@ inline po::options_description described_options(Mesh_cad_options& o)
   const auto text = [](std::string& target, const char* name) { return po::value<std::string>(&target)->value_name(name); };
   po::options_description criteria("Criteria (default)", 92);
   criteria.add_options()
-    ("max-edge", number(o.max_edge), "wanted edge length where nothing asks for less (1/20 of the diagonal)")
-    ("min-edge", number(o.min_edge), "no edge is divided into pieces shorter than this (1/1000 of the diagonal, or --max-edge if that is less)")
+    ("max-edge", number(o.max_edge), "wanted edge length where nothing else requires shorter edges (1/20 of the diagonal)")
+    ("min-edge", number(o.min_edge), "edges are not divided into pieces shorter than this (1/1000 of the diagonal, or --max-edge if that is less)")
     ("gamma", number(o.gamma), "largest deviation ratio H/L of an edge: arc height over length (0.05)")
     ("distance", number(o.distance), "largest distance from a surface to its triangles (--relative-distance)")
-    ("relative-distance", number(o.relative_distance), "the same over the diagonal of the shape's box (0.0005)")
+    ("relative-distance", number(o.relative_distance), "the same as a share of the diagonal of the shape's bounding box (0.0005)")
     ("angle", number(o.angle), "smallest angle in degrees, at least 0 and below 60 (30)")
-    ("closeness", number(o.closeness), "longest piece of a boundary over the width of its face there (1.8)")
-    ("growth", number(o.growth), "growth of the edge length inside faces, as a share of the distance from their boundary (0)")
-    ("face-size", text(o.face_sizes, "F:L,..."), "wanted edge lengths of single faces: a shorter one for face 3 by 3:0.5")
-    ("edge-size", text(o.edge_sizes, "E:L,..."), "the same for edges of the shape")
+    ("closeness", number(o.closeness), "maximum length of a boundary edge, as a multiple of the local width of its face (1.8)")
+    ("growth", number(o.growth), "how fast edges grow away from the boundary of a face, as a share of the distance (0: not at all; 0.1 saves many triangles)")
+    ("face-size", text(o.face_sizes, "F:L,..."), "wanted edge lengths of single faces; 3:0.5 sets 0.5 for face 3")
+    ("edge-size", text(o.edge_sizes, "E:L,..."), "wanted edge lengths on single edges of the shape")
     ("sphere-size", po::value<std::vector<std::string>>(&o.sphere_list)->value_name("X,Y,Z,R:L"),
-     "wanted edge length L in the sphere of radius R around a point, growing outside by 0.2 of the distance; may be given several times");
+     "wanted edge length L in the sphere of radius R around the point X,Y,Z, growing outside by 0.2 of the distance; may be given several times");
   mesh_patch::add_sweeps(criteria, o.sweeps);
   po::options_description input("Input", 92);
   input.add_options()
-    ("faces", text(o.face_list, "LIST"), "mesh these faces only: 1,4,7-9")
-    ("unit", text(o.unit, "UNIT"), "unit of length of the result: MM, CM, M, KM, INCH, FT ... (MM); a BREP file has none")
+    ("faces", text(o.face_list, "LIST"), "mesh these faces only, for example 1,4,7-9")
+    ("unit", text(o.unit, "UNIT"), "unit of length of the result: MM, CM, M, KM, INCH, FT ... (MM); BREP files have no unit")
     ("threads", po::value<unsigned int>(&o.threads)->value_name("N"), "number of threads that mesh faces (1)")
-    ("sew", number(o.sewing_tolerance), "join edges of faces that are no farther apart; 0 for none (IGES: 0.00001 of the diagonal, others: 0)")
+    ("sew", number(o.sewing_tolerance), "join edges of different faces that are at most this far apart; IGES files are sewn by default, 0 turns this off (IGES: 0.00001 of the diagonal, others: 0)")
     ("heal", po::bool_switch(&o.is_healing_wanted), "let Open CASCADE repair the shape first (ShapeFix_Shape)");
   po::options_description output("Output", 92);
   output.add_options()
@@ -138,7 +139,7 @@ inline std::set<std::size_t> numbers_in(const std::string& option, const std::st
     const std::size_t first = positive_number(option, item.substr(0, dash)),
                       last = dash == std::string::npos ? first : positive_number(option, item.substr(dash + 1));
     if(last < first || last - first > 1000000)
-      throw Usage_error("--" + option + ": '" + item + "' is no range");
+      throw Usage_error("--" + option + ": '" + item + "' must be a number, or two ascending numbers with a dash between");
     for(std::size_t i = first; i <= last; ++i)
       result.insert(i);
   }
@@ -177,7 +178,7 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--threads: the number must be at least 1 and at most 1024");
 #ifndef CGAL_LINKED_WITH_TBB
   if(o.threads > 1)
-    throw Usage_error("--threads: this program has been built without oneTBB and has but one thread");
+    throw Usage_error("--threads: this program was built without oneTBB and can use one thread only");
 #endif
   if(o.max_edge > 0 && o.min_edge > o.max_edge)
     throw Usage_error("--min-edge must not be larger than --max-edge");

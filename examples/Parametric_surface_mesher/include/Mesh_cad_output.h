@@ -15,6 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <set>
@@ -49,7 +50,8 @@ inline void write_result(std::ostream& out, const std::string& file_name, const 
   else if(mesh_patch::has_ending(file_name, ".inp"))
     write_inp(out, elements(result));
   else
-    mesh_patch::write_mesh(out, file_name, result.mesh.mesh);
+    mesh_patch::write_mesh(out, file_name, result.mesh.mesh,
+                           [&](std::size_t face) { return result.shape.shape_faces[face] + 1; });
 }
 
 inline void write_picture(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
@@ -186,6 +188,34 @@ inline Output_files output_files(const Mesh_cad_options& o, const Mesh_cad_resul
   return files;
 }
 
+// Edges that lie farther off their faces than the file says.
+inline void print_gaps(std::ostream& out, const Mesh_cad_result& result)
+{
+  std::set<std::size_t> edges;
+  double tolerance = 0;
+  for(const auto& gap : result.shape.gaps) {
+    edges.insert(gap.shape_edge);
+    tolerance = (std::max)(tolerance, gap.tolerance);
+  }
+  if(!edges.empty())
+    out << "  note: " << mesh_patch::plural(edges.size(), "edge lies", "edges lie") << " up to " << result.shape.largest_gap
+        << " off their faces (file tolerance " << tolerance << ")"
+        << (result.quality.is_closed ? "; harmless, the mesh is closed" : "") << "\n";
+}
+
+inline void print_angles(std::ostream& out, const Mesh_cad_result& result)
+{
+  const auto& m = result.measures;
+  out << "  angles: minimum " << result.quality.min_angle;
+  if(m.min_angle_apart > result.quality.min_angle)
+    out << " (" << m.min_angle_apart << " apart from sharp corners)";
+  out << " degrees, mean of each triangle's minimum " << result.quality.mean_min_angle << "; ";
+  if(m.below_10 == 0)
+    out << "none below 10\n";
+  else
+    out << mesh_patch::plural(m.below_10, "triangle") << " below 10 (" << m.below_10_at_corners << " of them in sharp corners)\n";
+}
+
 inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
 {
   const auto& shape = result.shape;
@@ -198,18 +228,16 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
   if(!collapsed_edges(shape).empty())
     out << "  " << mesh_patch::plural(collapsed_edges(shape).size(), "edge") << " collapsed to vertices\n";
   for(const auto& edge : shape.inner_edges)
-    out << "  edge " << edge.shape_edge + 1 << " is inside of face " << edge.shape_face + 1 << ", and the mesh does not follow it\n";
+    out << "  edge " << edge.shape_edge + 1 << " lies inside face " << edge.shape_face + 1 << "; the mesh does not follow it\n";
   if(result.number_of_sewn_edges > 0)
-    out << "  " << mesh_patch::plural(result.number_of_sewn_edges, "edge") << " of two faces made by sewing\n";
+    out << "  sewing joined " << mesh_patch::plural(result.number_of_sewn_edges, "pair") << " of edges\n";
   if(result.number_of_lost_faces > 0)
     out << "  " << mesh_patch::plural(result.number_of_lost_faces, "face") << " LOST BY SEWING\n";
-  if(!shape.gaps.empty())
-    out << "  " << mesh_patch::plural(shape.gaps.size(), "use") << " of edges off by more than the tolerance of the file, by up to "
-        << shape.largest_gap << "\n";
+  print_gaps(out, result);
   if(shape.number_of_rebuilt_curves > 0)
-    out << "  " << mesh_patch::plural(shape.number_of_rebuilt_curves, "curve") << " in domains made anew\n";
+    out << "  " << mesh_patch::plural(shape.number_of_rebuilt_curves, "curve") << " of the file missing or wrong in the domain of a face, and projected\n";
   if(shape.number_of_reversed_faces > 0)
-    out << "  " << mesh_patch::plural(shape.number_of_reversed_faces, "face") << " turned to the side of their neighbours\n";
+    out << "  " << mesh_patch::plural(shape.number_of_reversed_faces, "face") << " reversed to face to the same side as their neighbours\n";
 }
 
 inline void print_summary(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
@@ -225,14 +253,12 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
     out << (q.is_closed ? ", ALTHOUGH THE SHAPE IS NOT CLOSED" : ", ALTHOUGH THE SHAPE IS CLOSED");
   out << "\n";
   print_shape(out, result);
-  out << "  smallest angle " << q.min_angle << " degrees, " << m.min_angle_apart << " apart from sharp corners, its mean "
-      << q.mean_min_angle << "; " << mesh_patch::plural(m.below_10, "triangle") << " below 10 degrees, " << m.below_10_at_corners
-      << " of them in corners as sharp\n";
+  print_angles(out, result);
   if(!m.tiny_edges.empty() || !m.sliver_faces.empty())
     out << "  " << mesh_patch::plural(m.tiny_edges.size(), "tiny edge") << ", "
         << mesh_patch::plural(m.sliver_faces.size(), "sliver face") << "\n";
-  out << "  distance from the shape up to " << m.distance << ", " << m.distance / result.shape.diagonal
-      << " of its diagonal\n";
+  out << "  distance from the shape: at most " << m.distance << " (" << m.distance / result.shape.diagonal
+      << " of its diagonal)\n";
   for(const mesh_patch::Unmet_count& count : mesh_patch::unmet_counts(result.report))
     out << "  not met: " << count.criterion << " of " << mesh_patch::plural(count.triangles, "triangle") << ", because of the "
         << count.cause << "\n";

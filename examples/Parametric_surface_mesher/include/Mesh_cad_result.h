@@ -24,6 +24,7 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
+#include <TopExp_Explorer.hxx>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -206,7 +207,7 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
     if(!result.shape.closed_up.empty() && result.left_out.empty())
       throw Usage_error("no face is left to mesh; face " + closed_up_text(result.shape.closed_up.front()));
     if(result.left_out.empty())
-      throw Usage_error(options.input + " has no faces");
+      throw Usage_error("no face could be read from " + options.input);
     throw Usage_error("no face can be meshed; face " + std::to_string(result.left_out.front().shape_face + 1) + ": "
                       + result.left_out.front().reason);
   }
@@ -230,6 +231,8 @@ inline void mesh_and_measure(const Mesh_cad_options& options, Mesh_cad_result& r
 {
   TopoDS_Shape shape;
   result.reading_seconds = seconds_of([&] { shape = read_shape(options, result); });
+  if(!TopExp_Explorer(shape, TopAbs_FACE).More())
+    throw Usage_error("no face could be read from " + options.input);
   result.model_seconds = seconds_of([&] {
     result.shape = CGAL::make_model_of_open_cascade_shape(shape);
     select_faces(options.faces, result.shape);

@@ -41,7 +41,7 @@ inline std::string introduction()
 {
   return "Usage: mesh_patch SURFACE [OPTION]...\n"
          "\n"
-         "Meshes a parametric surface and prints what came out.\n"
+         "Meshes a parametric surface and prints a summary.\n"
          "\n"
          "SURFACE is the name of a sample that is a single patch,\n"
          "    " + joined(sample_patch_names()) + ",\n"
@@ -54,8 +54,10 @@ inline std::string introduction()
 const char* const conclusion =
   "\n"
   "Lengths are in the unit of the surface. The boundary is divided first and then never\n"
-  "changed. A triangle that meets a criterion no better because of that counts as\n"
-  "boundary-limited. The numbers of --json are, among others:\n"
+  "changed. Triangles that fail a criterion for this reason are called boundary-limited.\n"
+  "Faces, edges and loops are counted from 1; a .ply file holds the face of each triangle.\n"
+  "\n"
+  "The file of --json contains, among others:\n"
   "  vertices, triangles\n"
   "  min_angle, mean_min_angle     of the triangles, in degrees in space\n"
   "  mean_radius_ratio             mean of 2r/R, which is 1 for equilateral triangles\n"
@@ -64,8 +66,8 @@ const char* const conclusion =
   "  max_normal_deviation          the same with the part of H along the surface normal; around\n"
   "                                poles only this one is held to --gamma\n"
   "  boundary_limited              triangles that fail a criterion at the boundary\n"
-  "  unmet                         triangles that fail a criterion for another cause\n"
-  "  unmet_by                      both of them by criterion and cause\n"
+  "  unmet                         triangles that fail a criterion for another reason\n"
+  "  unmet_by                      all of these triangles by criterion and cause\n"
   "  closed, boundary_cycles       whether the mesh has no border, and how many borders it has\n"
   "  euler_characteristic          of the mesh: vertices - edges + triangles\n"
   "  faces, model_vertices, model_edges     of the model; a single patch is one face\n"
@@ -93,9 +95,9 @@ inline po::options_description described_options(Mesh_patch_options& o)
   po::options_description criteria("Criteria (default)", 92);
   criteria.add_options()
     ("max-edge", number(o.max_edge),
-     "wanted edge length where nothing asks for less (1/20 of the diagonal of the boundary's box)")
+     "wanted edge length where nothing else requires shorter edges (1/20 of the diagonal of the boundary's bounding box)")
     ("min-edge", number(o.min_edge),
-     "no edge is divided into pieces shorter than this (1/200 of --max-edge)")
+     "edges are not divided into pieces shorter than this (1/200 of --max-edge)")
     ("gamma", number(o.gamma),
      with_default("largest deviation ratio H/L of an edge: arc height over length", o.gamma).c_str())
     ("angle", number(o.angle),
@@ -112,7 +114,7 @@ inline po::options_description described_options(Mesh_patch_options& o)
      with_default("angle in degrees below which triangles are improved one by one", o.improvement_angle).c_str())
     ("division", po::value<std::string>(&o.division)->value_name("N1,N2,..."),
      "numbers of edges of the boundary curves, loop by loop, or of the edges of a model that are no poles, in the order "
-     "of their first use, face by face; 0 leaves a curve to the criteria");
+     "of their first use, face by face; 0: as the criteria require");
   add_sweeps(criteria, o.sweeps);
   po::options_description output("Output", 92);
   output.add_options()
@@ -196,7 +198,7 @@ inline Mesh_patch_options read_mesh_patch_options(int argc, char** argv)
   if(o.is_help_wanted)
     return o;
   if(o.surface.empty())
-    throw Usage_error("no surface is given; --help lists those that there are");
+    throw Usage_error("no surface is given; --help lists the available ones");
   check_values(given, o);
   if(given.count("division") != 0)
     o.numbers_of_edges = numbers_in(o.division);

@@ -159,7 +159,9 @@ inline Output_files output_files(const Mesh_patch_options& o, const Mesh_patch_i
     files.add(name, std::move(write));
   };
   const std::vector<std::string> formats = {".off", ".obj", ".ply", ".stl"};
-  add("out", o.out, formats, [&](std::ostream& out) { write_mesh(out, o.out, result.mesh); });
+  add("out", o.out, formats, [&](std::ostream& out) {
+    write_mesh(out, o.out, result.mesh, [](std::size_t patch) { return patch + 1; });
+  });
   add("uv", o.uv, formats, [&](std::ostream& out) { write_mesh(out, o.uv, domain_mesh(result)); });
   add("picture", o.picture, {".svg"}, [&](std::ostream& out) { write_picture(out, input, result); });
   add("uv-picture", o.uv_picture, {".svg"}, [&](std::ostream& out) { write_uv_picture(out, input, result); });
@@ -186,11 +188,11 @@ inline void print_summary(std::ostream& out, const Mesh_patch_input& input, cons
   const auto& s = result.report.seconds;
   out.precision(4);
   print_size(out, input, q);
-  out << "  smallest angle " << q.min_angle << " degrees, its mean " << q.mean_min_angle << "; mean 2r/R "
-      << q.mean_radius_ratio << "\n"
-      << "  deviation ratio up to " << d.max_inner_deviation_ratio << " inside ("
+  out << "  angles: minimum " << q.min_angle << " degrees, mean of each triangle's minimum " << q.mean_min_angle
+      << "; mean 2r/R " << q.mean_radius_ratio << "\n"
+      << "  deviation ratio H/L: at most " << d.max_inner_deviation_ratio << " inside ("
       << d.max_inner_normal_deviation_ratio << " along the normal), " << d.max_border_deviation_ratio
-      << " on the boundary; distance up to " << d.max_distance_to_face << "\n";
+      << " on the boundary; distance: at most " << d.max_distance_to_face << "\n";
   if(const std::size_t n = d.number_of_inverted_faces + d.number_of_domain_violations)
     out << "  INVERTED: " << plural(n, "triangle") << "\n";
   if(result.report.unmet.empty())

@@ -12,6 +12,8 @@
 #include <CGAL/boost/graph/IO/PLY.h>
 #include <CGAL/boost/graph/IO/STL.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <ostream>
 #include <string>
 
@@ -33,6 +35,24 @@ void write_mesh(std::ostream& out, const std::string& file_name, const CGAL::Sur
     is_written = CGAL::IO::write_STL(out, mesh, precision);
   if(!is_written)
     out.setstate(std::ios::failbit);
+}
+
+// The same for a mesh whose property "f:patch" is the index of the patch of each triangle. A .ply file gets, as `face_id`, the
+// number that `number_of_patch` gives it.
+template <class Point, class NumberOfPatch>
+void write_mesh(std::ostream& out, const std::string& file_name, const CGAL::Surface_mesh<Point>& mesh,
+                const NumberOfPatch& number_of_patch)
+{
+  if(!has_ending(file_name, ".ply"))
+    return write_mesh(out, file_name, mesh);
+  typedef typename CGAL::Surface_mesh<Point>::Face_index Face_index;
+  CGAL::Surface_mesh<Point> numbered = mesh;
+  auto patch = numbered.template add_property_map<Face_index, std::size_t>("f:patch").first;
+  const auto face_id = numbered.template add_property_map<Face_index, std::uint32_t>("f:face_id").first;
+  for(const Face_index triangle : numbered.faces())
+    face_id[triangle] = std::uint32_t(number_of_patch(patch[triangle]));
+  numbered.remove_property_map(patch);
+  write_mesh(out, file_name, numbered);
 }
 
 } // namespace mesh_patch

@@ -13,6 +13,7 @@
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/volume_under_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Parametric_surface_model_3.h>
 
 #include <cstddef>
@@ -73,9 +74,9 @@ private:
       piece.push_back(there.face);
     }
     else if(m_uses.is_face_left(here) == m_uses.is_face_left(there))
-      throw Parametric_surface_mesh_error("the surface is not orientable: faces " + std::to_string(face) + " and "
-                                          + std::to_string(there.face) + " cannot face to the same side along edge "
-                                          + std::to_string(edge));
+      throw Parametric_surface_mesh_error("the surface is not orientable: " + numbered("faces", face) + " and "
+                                          + std::to_string(there.face + 1) + " cannot face to the same side along "
+                                          + numbered("edge", edge));
   }
 
   bool is_closed(const std::vector<std::size_t>& piece) const

@@ -62,7 +62,7 @@ public:
     const Uses uses(m_model);
     for(std::size_t f = 0; f < m_model.faces().size(); ++f)
       about_face(f, [&] {
-        check_length("wanted edge length", m_model.faces()[f].max_edge, number("face", f));
+        check_length("wanted edge length", m_model.faces()[f].max_edge, numbered("face", f));
         for(std::size_t l = 0; l < number_of_loops(f); ++l)
           check_loop(f, l);
       });
@@ -75,14 +75,12 @@ public:
   }
 
 private:
-  static std::string number(const char* what, std::size_t n) { return what + (" " + std::to_string(n)); }
-
   void check_vertices() const
   {
     for(std::size_t v = 0; v < m_model.vertices().size(); ++v) {
       const Point_3& p = m_model.vertices()[v];
       if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-        throw Parametric_surface_mesh_error(number("vertex", v) + " is not finite: it is at (" + describe(p.x()) + ", "
+        throw Parametric_surface_mesh_error(numbered("vertex", v) + " is not finite: it is at (" + describe(p.x()) + ", "
                                             + describe(p.y()) + ", " + describe(p.z()) + ")");
     }
   }
@@ -90,8 +88,8 @@ private:
   void check_edge(std::size_t e) const
   {
     m_model.check_vertices_of_edge(e);
-    check_length("tolerance", m_model.edges()[e].tolerance, number("edge", e));
-    check_length("longest edge of the division", m_model.edges()[e].max_edge, number("edge", e));
+    check_length("tolerance", m_model.edges()[e].tolerance, numbered("edge", e));
+    check_length("longest edge of the division", m_model.edges()[e].max_edge, numbered("edge", e));
   }
 
   static void check_length(const char* name, double length, const std::string& place)
@@ -103,20 +101,20 @@ private:
   std::size_t number_of_loops(std::size_t f) const
   {
     if(m_model.faces()[f].loops.empty() && !m_is_any_face_left_out)
-      throw Parametric_surface_mesh_error(number("face", f) + " has no loop");
+      throw Parametric_surface_mesh_error(numbered("face", f) + " has no loop");
     return m_model.faces()[f].loops.size();
   }
 
   void check_loop(std::size_t f, std::size_t l) const
   {
     const auto& loop = m_model.faces()[f].loops[l];
-    const std::string place = number("face", f) + ", " + number("loop", l);
+    const std::string place = numbered("face", f) + ", " + numbered("loop", l);
     if(loop.empty())
       throw Parametric_surface_mesh_error(place + " has no edge");
     for(const Edge_use& use : loop)
       for(const auto& end : {use.curve.source(), use.curve.target()})
         if(!std::isfinite(end.x()) || !std::isfinite(end.y()))
-          throw Parametric_surface_mesh_error(place + ", " + number("edge", use.edge)
+          throw Parametric_surface_mesh_error(place + ", " + numbered("edge", use.edge)
                                               + ": the curve in the domain ends at (u,v) = " + describe(end)
                                               + ", which is not finite");
     const Bbox_2 box = loop_box(loop, [](const Edge_use& use) -> const auto& { return use.curve; });
@@ -130,15 +128,15 @@ private:
   {
     const std::size_t end = end_vertex(use, !use.is_reversed), begin = end_vertex(next, next.is_reversed);
     if(end != begin)
-      throw Parametric_surface_mesh_error(place + " is open: " + number("edge", use.edge) + " ends at "
-                                          + number("vertex", end) + ", but the next one, " + number("edge", next.edge)
-                                          + ", begins at " + number("vertex", begin));
+      throw Parametric_surface_mesh_error(place + " is open: " + numbered("edge", use.edge) + " ends at "
+                                          + numbered("vertex", end) + ", but the next one, " + numbered("edge", next.edge)
+                                          + ", begins at " + numbered("vertex", begin));
     const auto p = use.is_reversed ? use.curve.source() : use.curve.target(),
                q = next.is_reversed ? next.curve.target() : next.curve.source();
     if(!(squared_distance(p, q) <= tolerance * tolerance))
-      throw Parametric_surface_mesh_error(place + " is open in the domain: " + number("edge", use.edge)
+      throw Parametric_surface_mesh_error(place + " is open in the domain: " + numbered("edge", use.edge)
                                           + " ends at (u,v) = " + describe(p) + ", the next one, "
-                                          + number("edge", next.edge) + ", begins at " + describe(q));
+                                          + numbered("edge", next.edge) + ", begins at " + describe(q));
   }
 
   std::size_t end_vertex(const Edge_use& use, bool is_target) const
@@ -158,17 +156,17 @@ private:
       const double share = double(k) / (number_of_samples - 1);
       const Point_3 p = point(f, use, share);
       if(k == 0 || edge.is_collapsed)
-        largest.add(p, m_model.vertices()[edge.source], number("vertex", edge.source));
+        largest.add(p, m_model.vertices()[edge.source], numbered("vertex", edge.source));
       else if(k == number_of_samples - 1)
-        largest.add(p, m_model.vertices()[edge.target], number("vertex", edge.target));
+        largest.add(p, m_model.vertices()[edge.target], numbered("vertex", edge.target));
       else if(edge.curve)
         largest.add(p, edge.curve->point(parameter(*edge.curve, share)), "the curve of the edge");
       else
-        largest.add(p, point(first_face, first, share), "its image on " + number("face", first_face));
+        largest.add(p, point(first_face, first, share), "its image on " + numbered("face", first_face));
     }
     const double tolerance = (std::max)(m_tolerance, edge.tolerance);
     if(!(largest.distance <= tolerance))
-      throw Parametric_surface_mesh_error(number("face", f) + ", " + number("edge", use.edge)
+      throw Parametric_surface_mesh_error(numbered("face", f) + ", " + numbered("edge", use.edge)
                                           + ": the image of the curve in the domain is " + describe(largest.distance)
                                           + " away from " + largest.what + "; the tolerance is " + describe(tolerance));
   }
@@ -176,7 +174,7 @@ private:
   void check_range(std::size_t f, const Edge_use& use, double begin, double end) const
   {
     if(use.curve.begin() != begin || use.curve.end() != end)
-      throw Parametric_surface_mesh_error(number("face", f) + ", " + number("edge", use.edge)
+      throw Parametric_surface_mesh_error(numbered("face", f) + ", " + numbered("edge", use.edge)
                                           + ": the curve in the domain has the parameters " + describe(use.curve.begin())
                                           + " to " + describe(use.curve.end()) + ", but the edge " + describe(begin)
                                           + " to " + describe(end));
@@ -217,9 +215,9 @@ private:
       return;
     for(const auto& shell : uses.by_shell(e))
       if(shell.second.size() == 2 && uses.is_face_left(shell.second[0]) == uses.is_face_left(shell.second[1]))
-        throw Parametric_surface_mesh_error("faces " + std::to_string(shell.second[0].face) + " and "
-                                            + std::to_string(shell.second[1].face) + " face to different sides along "
-                                            + number("edge", e) + ": reverse one of them, or call orient_faces()",
+        throw Parametric_surface_mesh_error(numbered("faces", shell.second[0].face) + " and "
+                                            + std::to_string(shell.second[1].face + 1) + " face to different sides along "
+                                            + numbered("edge", e) + ": reverse one of them, or call orient_faces()",
                                             shell.second[1].face);
   }
 };

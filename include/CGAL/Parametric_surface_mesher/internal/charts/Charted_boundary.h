@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The divided boundary of a patch in the coordinates of its chart, and where its points are in the domain: on the way through
-// the chart they would be rounded.
+// The divided boundary of a patch in the coordinates of its chart. It also keeps the points in the domain, since computing them
+// back through the chart would round them.
 template <class Kernel>
 class Charted_boundary
 {
@@ -33,10 +33,10 @@ public:
 private:
   Chart m_chart;
   Boundary_loops<Kernel> m_loops;
-  std::map<Point_2, Point_2> m_domain_points; // unless the chart is the identity
+  std::map<Point_2, Point_2> m_domain_points; // by the points in the chart; empty if the chart is the identity
 
 public:
-  // `loops`: in the domain
+  // The loops are in the domain.
   template <class Surface>
   Charted_boundary(const Surface& surface, const Boundary_loops<Kernel>& loops)
     : m_chart(find_chart(surface, loops)), m_loops(chart_loops(loops, m_chart))
@@ -53,7 +53,7 @@ public:
   const Boundary_loops<Kernel>& loops() const { return m_loops; }
   Bbox_2 box() const { return box_of_loops(m_loops); }
 
-  // `z`: in the chart; best a point of the boundary
+  // The domain point of the chart point `z`: exact for points of the boundary, rounded for others.
   Point_2 domain_point(const Point_2& z) const
   {
     const auto found = m_domain_points.find(z);

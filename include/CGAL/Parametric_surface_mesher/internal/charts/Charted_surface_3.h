@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A surface in the coordinates of a chart: a model of `ParametricSurface_3`. The way back to the domain costs as much as an
-// evaluation of the surface: for the last point it is remembered, as is the jet in the domain, since both are asked for
-// several times. So an object is for one thread.
+// A surface in the coordinates of a chart: a model of `ParametricSurface_3`. Computing a domain point from a chart point costs
+// as much as an evaluation of the surface, and callers ask for the same point several times; therefore the last domain point
+// and the last jet are remembered. An object must be used by one thread only.
 template <class Surface>
 class Charted_surface_3
 {
@@ -40,13 +40,14 @@ public:
 
   const Chart& chart() const { return m_chart; }
 
-  // see `Patch_chart_2`; in a chart that is the identity it is for nobody to ask
+  // The domain point of the chart point `z`.
+  // \pre the chart is not the identity
   const Point_2& domain_point(const Point_2& z) const
   {
     return m_domain_point(z, [this](const Point_2& p) { return m_chart.domain_point(p); });
   }
 
-  // Whether edges are straight in the domain and not in the coordinates of the chart.
+  // Whether the edges of the mesh stand for straight lines of the domain, which are bent in the chart.
   bool has_bent_edges() const { return !m_chart.is_identity() && m_chart.keeps_domain_lines(); }
 
   Point_3 point(double x, double y) const
@@ -59,7 +60,7 @@ public:
 
   Point_3 point_in_domain(const Point_2& uv) const { return m_surface.point(uv.x(), uv.y()); }
 
-  // At a pole the derivatives depend on the direction: those a little away from it are taken.
+  // At a pole the derivatives depend on the direction; there the jet of a point close to the pole is returned.
   Surface_jet_3<Geom_traits> jet(double x, double y) const
   {
     if(m_chart.is_identity())
@@ -70,7 +71,7 @@ public:
     return m_chart.chart_jet(domain_jet(domain_point(z)), z);
   }
 
-  // The jet by the coordinates whose straight lines count.
+  // The jet by the coordinates in which edges are straight: those of the domain or of the chart.
   Surface_jet_3<Geom_traits> line_jet(const Point_2& z) const
   {
     if(!m_chart.keeps_domain_lines())
@@ -79,6 +80,8 @@ public:
   }
 
 private:
+  // In the chart, whose extent is about 1: far enough for derivatives that are not rounded away, close enough to stand for
+  // those in the limit.
   static constexpr double distance_from_pole = 1e-4;
 
   const Surface_jet_3<Geom_traits>& domain_jet(const Point_2& uv) const
@@ -100,8 +103,8 @@ Point_2 place_in_domain(const Charted_surface_3<Surface>& surface, const Point_2
   return surface.chart().domain_point(z);
 }
 
-// Of an edge between two points of the chart, in the domain. Of a pole, a whole side of the domain, the point opposite to
-// the other end counts.
+// The middle, in the domain, of an edge between two points of the chart. A pole is a whole side of the domain; of that side the
+// point opposite to the other end of the edge is taken.
 // \pre `surface.has_bent_edges()`
 template <class Surface, class Kernel>
 typename Kernel::Point_2 middle_in_domain(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
@@ -116,7 +119,7 @@ typename Kernel::Point_2 middle_in_domain(const Charted_surface_3<Surface>& surf
   return midpoint(a, b);
 }
 
-// The middle of an edge in the coordinates whose straight lines count, as a point of the chart.
+// The middle of an edge in the coordinates in which it is straight, as a point of the chart.
 template <class Surface, class Kernel>
 typename Kernel::Point_2 edge_middle(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
                                      const Patch_point_2<Kernel>& q)
@@ -125,7 +128,7 @@ typename Kernel::Point_2 edge_middle(const Charted_surface_3<Surface>& surface, 
                                   : midpoint(p.domain_point(), q.domain_point());
 }
 
-// The same in space, without the way through the chart and back.
+// The surface point at that middle, computed without a detour through the chart.
 template <class Surface, class Kernel>
 auto edge_middle_in_space(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
                           const Patch_point_2<Kernel>& q)

@@ -34,7 +34,9 @@ public:
   typedef typename Kernel::Point_2 Point_2;
 
 private:
-  static constexpr double k = 2; // the larger, the wider the angle at the origin: from (1, 1 + k) to (1 + k, 1)
+  // The angle at the origin is that from (1, 1 + k) to (1 + k, 1): 53 degrees for 2. With larger values the angle is wider and
+  // the map is more distorted away from the origin.
+  static constexpr double k = 2;
 
   struct Parameters
   {
@@ -42,13 +44,13 @@ private:
   };
 
   Point_2 m_corner;
-  double m_u_extent = 1, m_v_extent = 1; // from the corner to the opposite sides, with sign
+  double m_u_extent = 1, m_v_extent = 1; // signed distances from the corner to the opposite sides
   bool m_is_s_along_u = true;            // chosen so that the chart keeps the orientation of the domain
 
 public:
   Corner_chart_2() = default;
 
-  // the domain is the rectangle with diagonal from `corner` to `opposite`
+  // The domain is the rectangle with the diagonal from `corner` to `opposite`.
   Corner_chart_2(const Point_2& corner, const Point_2& opposite)
     : m_corner(corner), m_u_extent(opposite.x() - corner.x()), m_v_extent(opposite.y() - corner.y()),
       m_is_s_along_u(m_u_extent * m_v_extent > 0)
@@ -56,7 +58,7 @@ public:
 
   bool is_pole(const Point_2& z) const { return z.x() == 0 && z.y() == 0; }
 
-  // a point close to the pole, in the middle of the directions that leave it
+  // A point at about this distance from the pole, in the middle of the directions that leave it.
   Point_2 beside_pole(const Point_2&, double distance) const { return Point_2(distance, distance); }
 
   Point_2 chart_point(const Point_2& uv) const
@@ -69,11 +71,11 @@ public:
 
   Point_2 domain_point(const Point_2& z) const
   {
-    const Parameters p = parameters_at(z), q = parameters(p.s, p.t); // the same swap back
+    const Parameters p = parameters_at(z), q = parameters(p.s, p.t); // parameters() is its own inverse
     return Point_2(m_corner.x() + q.s * m_u_extent, m_corner.y() + q.t * m_v_extent);
   }
 
-  // The point of the collapsed sides that is opposite to `other`: on the closer side.
+  // The point on the closer one of the collapsed sides that is opposite to `other`.
   Point_2 on_collapsed_side(const Point_2& other) const
   {
     return (other.x() - m_corner.x()) / m_u_extent < (other.y() - m_corner.y()) / m_v_extent
@@ -81,8 +83,9 @@ public:
              : Point_2(other.x(), m_corner.y());
   }
 
-  // The jet by the chart's coordinates of a surface with this jet by the domain's, at the chart point `z`, no pole: with
-  // the derivatives of the inverse of a map of the plane.
+  // Converts the jet of a surface from coordinates of the domain to those of the chart, at the chart point `z`, by the
+  // derivatives of the inverse map.
+  // \pre `z` is not the pole
   Surface_jet_3<Kernel> chart_jet(const Surface_jet_3<Kernel>& by_uv, const Point_2& z) const
   {
     const Surface_jet_3<Kernel> j = jet_by_parameters(by_uv);
@@ -119,8 +122,8 @@ private:
                           : Surface_jet_3<Kernel>{j.point, b * j.dv, a * j.du, b * b * j.dvv, a * b * j.duv, a * a * j.duu};
   }
 
-  // With c = s t, x - y = k c (s - t) and x + y = 2 c + sqrt((x - y)^2 + 4 k^2 c^3). That is convex in c, so Newton's method
-  // comes down to the solution from above.
+  // With c = s t, x - y = k c (s - t) and x + y = 2 c + sqrt((x - y)^2 + 4 k^2 c^3). The right side is convex in c, so Newton's
+  // method descends to the solution from any start above it.
   static Parameters parameters_at(const Point_2& z)
   {
     const double x = (std::max)(z.x(), 0.), y = (std::max)(z.y(), 0.), sum = x + y, difference = x - y;

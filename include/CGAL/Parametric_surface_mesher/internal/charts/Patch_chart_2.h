@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The coordinates that a patch is meshed in: those of its domain or, if sides of it collapse, those of a chart.
+// The coordinates in which a patch is meshed: those of its domain or, if sides of it collapse, those of a chart.
 template <class Kernel>
 class Patch_chart_2
 {
@@ -37,44 +37,45 @@ public:
 
   bool is_identity() const { return m_kind == IDENTITY; }
 
-  // Whether deviation and sizes go by straight lines of the domain. Where two sides collapse in a corner these bend all over
-  // the patch, and lines of the chart count.
+  // Whether edges stand for straight lines of the domain, in deviation and sizes. If two sides collapse in a corner, the images
+  // of these lines bend all over the patch, and edges are straight in the chart instead.
   bool keeps_domain_lines() const { return m_kind != CORNER; }
 
-  // whether `z` is a collapsed side, or several
+  // Whether the chart point `z` stands for one or more collapsed sides.
   bool is_pole(const Point_2& z) const
   {
     return m_kind == POLAR ? m_polar.is_pole(z) : m_kind == CORNER && m_corner.is_pole(z);
   }
 
-  // a point at a distance from the pole `z`, inside the patch
+  // A point of the patch at about this distance from the pole `z`.
   Point_2 beside_pole(const Point_2& z, double distance) const
   {
     return m_kind == POLAR ? m_polar.beside_pole(z, distance) : m_corner.beside_pole(z, distance);
   }
 
-  // the angle that the surface has in space at the pole `z`; 0 if not known
+  // The angle that the surface has in space at the pole `z`, or 0 if it is not known.
   double angle_at_pole(const Point_2& z) const { return m_kind == POLAR ? m_polar.angle_at_pole(z) : 0; }
 
-  // from the domain to the chart
+  // The chart point of a domain point.
   Point_2 chart_point(const Point_2& uv) const
   {
     return m_kind == POLAR ? m_polar.chart_point(uv) : m_kind == CORNER ? m_corner.chart_point(uv) : uv;
   }
 
-  // from the chart to the domain; at a pole, some point of a collapsed side
+  // The domain point of a chart point; for a pole, some point of a collapsed side.
   Point_2 domain_point(const Point_2& z) const
   {
     return m_kind == POLAR ? m_polar.domain_point(z) : m_kind == CORNER ? m_corner.domain_point(z) : z;
   }
 
-  // `pole`, a domain point of a pole, moved along its side to where `other` is
+  // Moves `pole`, a domain point on a collapsed side, along that side to the place opposite to `other`.
   Point_2 on_collapsed_side(const Point_2& pole, const Point_2& other) const
   {
     return m_kind == POLAR ? m_polar.on_collapsed_side(pole, other) : m_corner.on_collapsed_side(other);
   }
 
-  // the jet by the chart's coordinates of a surface with this jet by the domain's, at the chart point `z`, no pole
+  // Converts the jet of a surface from coordinates of the domain to those of the chart, at the chart point `z`.
+  // \pre `z` is not a pole
   Surface_jet_3<Kernel> chart_jet(const Surface_jet_3<Kernel>& jet, const Point_2& z) const
   {
     return m_kind == POLAR ? m_polar.chart_jet(jet, z) : m_kind == CORNER ? m_corner.chart_jet(jet, z) : jet;

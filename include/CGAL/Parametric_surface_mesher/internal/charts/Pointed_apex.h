@@ -9,6 +9,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_CHARTS_POINTED_APEX_H
 
 #include <CGAL/Origin.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <algorithm>
@@ -22,14 +23,15 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The angle in space that the directions leaving the side of the domain from `p` to `q`, a point in space, sweep over:
-// 2 pi at the pole of a sphere.
+// The side of the domain from `p` to `q` is one point in space. Returns the angle that the directions leaving this point sweep
+// over: 2 pi at the pole of a sphere.
 template <class Surface, class Point_2>
 double angle_at_collapsed_side(const Surface& surface, const Point_2& p, const Point_2& q)
 {
   typedef typename Surface::Geom_traits Kernel;
   typedef typename Kernel::Vector_3 Vector_3;
   const int number_of_samples = 64;
+  const double squared_rounding = 1e-20; // of a derivative that vanishes, relative to the largest one
   std::vector<Vector_3> across;
   double largest = 0;
   for(int i = 0; i <= number_of_samples; ++i) {
@@ -41,8 +43,8 @@ double angle_at_collapsed_side(const Surface& surface, const Point_2& p, const P
   double sum = 0;
   Vector_3 previous = NULL_VECTOR;
   for(const Vector_3& d : across) {
-    if(d.squared_length() < 1e-20 * largest)
-      continue; // where another side collapses there is no direction
+    if(d.squared_length() < squared_rounding * largest)
+      continue; // another side collapses there, too, and no direction leaves it
     const Vector_3 direction = d / std::sqrt(d.squared_length());
     if(previous != NULL_VECTOR)
       sum += 2 * std::asin((std::min)(1., 0.5 * std::sqrt((direction - previous).squared_length())));
@@ -51,10 +53,10 @@ double angle_at_collapsed_side(const Surface& surface, const Point_2& p, const P
   return sum;
 }
 
-// How many triangles are to meet at a pole: with angles close to 60 degrees, but at least three all around.
+// The number of triangles that are to meet at a pole: with angles close to 60 degrees, and at least three all around.
 inline int number_of_sectors(double angle, bool is_all_around)
 {
-  const double sixty_degrees = 4. / 3 * std::atan(1.);
+  const double sixty_degrees = CGAL_PI / 3;
   return (std::max)(int(std::lround(angle / sixty_degrees)), is_all_around ? 3 : 1);
 }
 
@@ -67,7 +69,12 @@ the next one: twice as long.
 template <class Model>
 class Pointed_apexes
 {
-  std::map<std::pair<std::size_t, std::size_t>, double> m_ratios; // of an edge and one of its vertices
+  // Measured on cones: see the ring around an apex in the benchmarks.
+  static constexpr double ratio_of_pointed_apex = 0.75;
+  // In minimum edges. Edges of twice the minimum edge are divided for the sake of deviation, which is always bad at an apex.
+  static constexpr double largest_edge_at_apex = 1.9;
+
+  std::map<std::pair<std::size_t, std::size_t>, double> m_ratios; // by an edge and one of its vertices
 
 public:
   explicit Pointed_apexes(const Model& model)
@@ -82,21 +89,21 @@ public:
         }
   }
 
-  // whether the first two pieces of an edge, of this length together, are to be one. Not if edges around the apex would be
-  // so long that deviation divides them.
+  // Whether the first two pieces of an edge, which have this length together, are to be one piece; not if this would make the
+  // edges around the apex so long that deviation divides them.
   bool asks_for_one_piece(std::size_t edge, std::size_t vertex, double length, double min_edge) const
   {
     const auto found = m_ratios.find({edge, vertex});
-    return found != m_ratios.end() && found->second < 0.75 && found->second * length < 1.9 * min_edge;
+    return found != m_ratios.end() && found->second < ratio_of_pointed_apex && found->second * length < largest_edge_at_apex * min_edge;
   }
 
 private:
-  // The edges are chords in space: as those of a cone of revolution with this angle.
+  // Takes the edges at the apex to be those of a cone of revolution with this angle.
   void insert(std::size_t edge, std::size_t vertex, double angle)
   {
-    const double sine_of_half_angle = angle / (8 * std::atan(1.));
+    const double sine_of_half_angle = angle / (2 * CGAL_PI);
     const int n = number_of_sectors(angle, true);
-    m_ratios[{edge, vertex}] = 2 * std::sin(4 * std::atan(1.) / n) * sine_of_half_angle;
+    m_ratios[{edge, vertex}] = 2 * std::sin(CGAL_PI / n) * sine_of_half_angle;
   }
 };
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Parametric_surface_mesher/internal/charts/Radial_scale.h>
 #include <CGAL/Surface_jet_3.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +23,11 @@ namespace internal {
 // A side of the domain that is a point in space: on a line `v = level` (or `u = level`).
 struct Collapsed_side
 {
-  double from, to; // range of the coordinate that runs along the side
-  double low, high; // range of that coordinate in all of the domain
-  double level;    // of the other coordinate
-  double extent;   // of the domain in the other coordinate
-  double angle;    // in space, that the directions leaving the side sweep over
+  double from, to;  // range of the coordinate that runs along the side
+  double low, high; // range of that coordinate in the whole domain
+  double level;     // the value of the other coordinate on the side
+  double extent;    // how far the domain reaches in the other coordinate
+  double angle;     // in space, swept over by the directions that leave the side
   bool is_on_v_line;
   bool is_lower; // whether the domain lies above the level
 };
@@ -51,11 +52,11 @@ public:
 
 private:
   int m_number_of_poles = 1;
-  bool m_is_swapped = false;                    // the sides are on lines u = const
-  double m_middle = 0, m_theta_per_along = 1;   // of the coordinate along the sides
-  double m_level = 0, m_across_per_r = 1;       // of the coordinate across
+  bool m_is_swapped = false;                    // whether the sides are on lines u = constant
+  double m_middle = 0, m_theta_per_along = 1;   // for the coordinate along the sides
+  double m_level = 0, m_across_per_r = 1;       // for the coordinate across them
   Radial_scale m_scale;
-  double m_lower_angle = 0, m_upper_angle = 0;  // in space, at the pole at r = 0 and that at r = 1
+  double m_lower_angle = 0, m_upper_angle = 0;  // in space, at the poles at r = 0 and r = 1
 
 public:
   Polar_chart_2() = default;
@@ -79,22 +80,21 @@ public:
     m_across_per_r = upper.level - lower.level;
   }
 
-  // whether `z` is a pole
   bool is_pole(const Point_2& z) const
   {
     return z.y() == 0 && (m_number_of_poles == 1 ? z.x() == 0 : z.x() == -1 || z.x() == 1);
   }
 
-  // a point at a distance from the pole `z`, inside
+  // A point of the patch at about this distance from the pole `z`.
   Point_2 beside_pole(const Point_2& z, double distance) const
   {
     return Point_2(z.x() > 0 ? z.x() - distance : z.x() + distance, z.y());
   }
 
-  // the angle that the surface has in space at the pole `z`
+  // The angle that the surface has in space at the pole `z`.
   double angle_at_pole(const Point_2& z) const { return z.x() > 0 ? m_upper_angle : m_lower_angle; }
 
-  // from the domain to the chart
+  // The chart point of a domain point.
   Point_2 chart_point(const Point_2& uv) const
   {
     const double along = m_is_swapped ? uv.y() : uv.x(), across = m_is_swapped ? uv.x() : uv.y();
@@ -110,7 +110,7 @@ public:
     return Point_2(z.real(), z.imag());
   }
 
-  // from the chart to the domain; at a pole, the middle of the collapsed side
+  // The domain point of a chart point; for a pole, the middle of the collapsed side.
   Point_2 domain_point(const Point_2& z) const
   {
     if(is_pole(z))
@@ -118,14 +118,15 @@ public:
     return in_domain(m_middle + theta_of(z) / m_theta_per_along, m_level + m_across_per_r * radius(z).value);
   }
 
-  // `pole`, the domain point of a pole, moved along its side to where `other` is
+  // Moves `pole`, a domain point on a collapsed side, along that side to the place opposite to `other`.
   Point_2 on_collapsed_side(const Point_2& pole, const Point_2& other) const
   {
     return m_is_swapped ? Point_2(pole.x(), other.y()) : Point_2(other.x(), pole.y());
   }
 
-  // The jet by the chart's coordinates of a surface with this jet by the domain's, at the chart point `z`, no pole.
-  // With L = log E analytic, the Cauchy-Riemann equations give all derivatives of its parts from L' and L''.
+  // Converts the jet of a surface from coordinates of the domain to those of the chart. Since L = log E is analytic, the
+  // Cauchy-Riemann equations give all derivatives of its real and imaginary parts from L' and L''.
+  // \pre `point` is not a pole
   Surface_jet_3<Kernel> chart_jet(const Surface_jet_3<Kernel>& s, const Point_2& point) const
   {
     const Complex z(point.x(), point.y());
@@ -134,7 +135,7 @@ public:
     const Complex dd = m_number_of_poles == 1 ? -product(d, d) : product(z, product(d, d));
     const double r1 = m_across_per_r * r.first, r2 = m_across_per_r * r.second;
     const double t = 1 / m_theta_per_along;
-    // p: along the sides, q: across
+    // p is the coordinate along the sides, q the one across them
     const double px = t * d.imag(), py = t * d.real(), pxx = t * dd.imag(), pxy = t * dd.real(), pyy = -pxx;
     const double ax = d.real(), ay = -d.imag(), axx = dd.real(), axy = -dd.imag();
     const double qx = r1 * ax, qy = r1 * ay;
@@ -150,10 +151,10 @@ public:
   }
 
 private:
-  // The sign of theta keeps the orientation of the domain.
+  // The sign of theta is chosen such that the chart keeps the orientation of the domain.
   void set_theta(const Collapsed_side& side, double angle)
   {
-    const double three_quarters = 6 * std::atan(1.);
+    const double three_quarters = 1.5 * CGAL_PI; // of a turn
     m_is_swapped = !side.is_on_v_line;
     m_middle = 0.5 * (side.low + side.high);
     m_theta_per_along = (std::min)(angle / std::fabs(side.to - side.from), three_quarters / (side.high - side.low));
@@ -161,21 +162,21 @@ private:
       m_theta_per_along = -m_theta_per_along;
   }
 
-  // |z| for one pole
+  // With one pole, |z| as a function of r.
   double scaled(double r) const
   {
     return m_scale.is_identity() ? (std::max)(r, 0.) : r > 0 ? std::exp(m_scale.inverse(std::log(r))) : 0;
   }
 
-  // in real arithmetic: the complex functions of the standard library take several times as long
+  // This is computed in real arithmetic, since the complex functions of the standard library take several times as long.
   double theta_of(const Point_2& z) const
   {
     const double x = z.x(), y = z.y();
     return m_number_of_poles == 1 ? std::atan2(y, x) : std::atan2(2 * y, 1 - x * x - y * y);
   }
 
-  // r, with its derivatives by the logarithm of |E|, that is of |z| for one pole. Logarithms are taken for a scale only:
-  // they cost as much as an evaluation of a simple surface.
+  // The radius r, with its derivatives by the logarithm of |E| (of |z|, with one pole). The logarithm costs as much as an
+  // evaluation of a simple surface and is computed only if the radius is scaled.
   Radial_scale::Jet radius(const Point_2& z) const
   {
     const double x = z.x(), y = z.y();

@@ -25,7 +25,7 @@ Cubic between the entries, so its first derivative is continuous.
 */
 class Radial_scale
 {
-  static constexpr double step = 0.1; // of a, between entries
+  static constexpr double step = 0.1; // of a, between entries of the table
   static const std::size_t max_number_of_entries = 240;
 
   double m_begin = 0;
@@ -39,7 +39,7 @@ public:
 
   Radial_scale() = default;
 
-  // Stays the identity if the range is too long for the table.
+  // The scale stays the identity if the range is too long for the table.
   template <class Stretch>
   Radial_scale(double begin, double end, const Stretch& stretch) : m_begin(begin)
   {
@@ -53,7 +53,7 @@ public:
         return;
       }
       const double k1 = m_slopes.back(), k2 = slope(l + 0.5 * step * k1), k3 = slope(l + 0.5 * step * k2),
-                   k4 = slope(l + step * k3); // Runge and Kutta
+                   k4 = slope(l + step * k3); // classical Runge-Kutta method; one function does not justify odeint
       l += step * (k1 + 2 * k2 + 2 * k3 + k4) / 6;
       append(l, slope(l));
     }
@@ -72,11 +72,11 @@ public:
     }
     const std::size_t i = std::size_t(x);
     const double t = x - double(i), d = (m_values[i + 1] - m_values[i]) / step, s = m_slopes[i], e = m_slopes[i + 1];
-    const double c2 = 3 * d - 2 * s - e, c3 = s + e - 2 * d; // Hermite
+    const double c2 = 3 * d - 2 * s - e, c3 = s + e - 2 * d; // cubic Hermite interpolation, with derivatives
     return {m_values[i] + step * t * (s + t * (c2 + t * c3)), s + t * (2 * c2 + 3 * t * c3), (2 * c2 + 6 * t * c3) / step};
   }
 
-  // the `a` of a value
+  // The `a` at which the scale has this value.
   double inverse(double value) const
   {
     if(is_identity())

@@ -18,13 +18,15 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// How far a polar chart with one pole is from keeping angles: the ratio of the lengths on the surface of steps across the
-// collapsed side and along it, that are equal in the chart. It is 1 at the pole.
+// Measures how far a polar chart with one pole is from keeping angles: of two steps that are equally long in the chart, one across
+// the collapsed side and one along it, the ratio of the lengths on the surface. It is 1 at the pole.
 template <class Surface>
 class Radial_stretch
 {
-  static constexpr double smallest_r = 1e-3; // closer to the pole the ratio counts as 1
-  static constexpr double tolerated = 8;     // ratio of ratios
+  // Closer to the pole the ratio counts as 1.
+  static constexpr double smallest_r = 1e-3;
+  // The chart gets a scale only if the ratio varies by more than this factor; smaller variations are left to the metric tensor.
+  static constexpr double tolerated = 8;
 
   const Surface& m_surface;
   Collapsed_side m_side;
@@ -36,8 +38,8 @@ public:
     m_at_pole = (*this)(std::log(smallest_r));
   }
 
-  // The scale that makes the chart keep angles as well as a function of the distance from the pole can; the identity if
-  // the chart is good without, or the surface is not regular.
+  // The scale of the radius with which the chart keeps angles best. It is the identity if the chart is good enough without one,
+  // or if the surface is not regular.
   Radial_scale scale() const
   {
     const int number_of_samples = 24;
@@ -52,7 +54,7 @@ public:
     return largest > tolerated * smallest ? Radial_scale(std::log(smallest_r), 0, *this) : Radial_scale();
   }
 
-  // at the logarithm of r, in means over the domain
+  // The ratio at this logarithm of r, in means over the domain.
   double operator()(double log_of_r) const
   {
     const int number_of_samples = 4;

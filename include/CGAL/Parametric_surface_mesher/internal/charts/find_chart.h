@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Finds the chart for a patch: by its collapsed sides, if they are straight along `u` or `v` and either there is one or
-// there are two. Otherwise it is the identity.
+// Finds the chart for a patch. It has one if one or two sides of the patch collapse and are straight along `u` or `v`; otherwise
+// its chart is the identity.
 template <class Surface>
 class Chart_finder
 {
@@ -33,6 +33,12 @@ class Chart_finder
   typedef typename Kernel::Point_2 Point_2;
   typedef Patch_chart_2<Kernel> Chart;
   typedef Polar_chart_2<Kernel> Polar_chart;
+
+  // In radians, at a pole in space: with less the surface folds onto itself, and a chart would not make it regular.
+  static constexpr double least_angle = 0.01;
+  // The largest extent of the domain along a collapsed side, in lengths of the side: beyond its ends the chart goes on turning
+  // around the pole, by three quarters of a turn at most, and gets more and more distorted.
+  static constexpr double largest_reach = 2.5;
 
   const Surface& m_surface;
   const Boundary_loops<Kernel>& m_loops;
@@ -50,7 +56,7 @@ public:
         if(loop[i].index == loop[(i + 1) % loop.size()].index)
           sides.push_back(side(loop[i].domain_point, loop[(i + 1) % loop.size()].domain_point));
     for(const Collapsed_side& side : sides)
-      if(!(side.extent > 0) || !(side.angle > 0.01) || !fits(side))
+      if(!(side.extent > 0) || !(side.angle > least_angle) || !fits(side))
         return Chart();
     if(sides.size() == 1)
       return Polar_chart(sides[0], Radial_stretch<Surface>(m_surface, sides[0]).scale());
@@ -64,7 +70,7 @@ public:
   }
 
 private:
-  // the side from `p` to `q`; its extent is 0 if it is not along an edge of the domain's box
+  // The side from `p` to `q`. Its extent is 0 if it is not on the border of the domain's bounding box.
   Collapsed_side side(const Point_2& p, const Point_2& q) const
   {
     Collapsed_side result;
@@ -83,7 +89,8 @@ private:
     return result;
   }
 
-  // of two sides that meet, on a line `v = constant` and a line `u = constant`, if they are whole sides of the domain's box
+  // The chart for two sides that meet, on a line `v = constant` and on a line `u = constant`; the identity if they are not whole
+  // sides of the domain's bounding box.
   Chart corner_chart(const Collapsed_side& v_side, const Collapsed_side& u_side) const
   {
     for(const Collapsed_side& side : {v_side, u_side})
@@ -93,10 +100,10 @@ private:
     return Corner_chart_2<Kernel>(Point_2(u_side.level, v_side.level), Point_2(opposite(u_side), opposite(v_side)));
   }
 
-  // Where the domain reaches far beyond the ends of the side, the chart would be too distorted.
+  // If the domain reaches far beyond the ends of the side, the chart would be too distorted.
   static bool fits(const Collapsed_side& side)
   {
-    return side.high - side.low < 2.5 * std::fabs(side.to - side.from);
+    return side.high - side.low < largest_reach * std::fabs(side.to - side.from);
   }
 };
 
@@ -107,7 +114,7 @@ Patch_chart_2<typename Surface::Geom_traits> find_chart(const Surface& surface,
   return Chart_finder<Surface>(surface, loops)();
 }
 
-// The divided boundary with one copy of the point that each collapsed side is.
+// The divided boundary with a single point for each collapsed side.
 template <class Kernel>
 Boundary_loops<Kernel> without_collapsed_sides(const Boundary_loops<Kernel>& loops)
 {
@@ -121,7 +128,7 @@ Boundary_loops<Kernel> without_collapsed_sides(const Boundary_loops<Kernel>& loo
   return result;
 }
 
-// The divided boundary in the coordinates of a chart, where a collapsed side is one point.
+// The divided boundary in the coordinates of a chart, in which a collapsed side is one point.
 template <class Kernel>
 Boundary_loops<Kernel> chart_loops(const Boundary_loops<Kernel>& loops, const Patch_chart_2<Kernel>& chart)
 {

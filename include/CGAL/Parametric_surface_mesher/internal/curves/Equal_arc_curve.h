@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Two curves on surfaces that are one curve in space, but run through it with different speeds. Points correspond that
-// have the same share of the length before them.
+// Two curves on surfaces that are the same curve in space, but run through it with different speeds. Two points correspond if
+// the lengths before them are equal shares of the whole lengths.
 template <class Surface>
 class Equal_arc_curve
 {
@@ -29,7 +29,7 @@ class Equal_arc_curve
   typedef typename Kernel::Point_3 Point_3;
   typedef Domain_curve_2<Kernel> Curve;
 
-  // a curve that owns its surface, with its arc length
+  // A curve with its surface and its arc length. It owns all three.
   struct Measured_curve
   {
     Surface surface;
@@ -55,7 +55,7 @@ public:
 
   double length() const { return m_first->length.length(); }
 
-  // whether corresponding points are within the tolerance, at `n + 1` places
+  // Whether corresponding points are within the tolerance at `n + 1` places.
   bool is_within(double tolerance, int n) const
   {
     for(int i = 0; i <= n; ++i) {
@@ -68,8 +68,8 @@ public:
     return true;
   }
 
-  // The second curve with the parameters of the first. (Its second derivative is not known, and not needed: an edge is
-  // measured on its first use.)
+  // The second curve with the parameters of the first one. Its second derivative is set to zero; it is not needed, because an
+  // edge is measured on its first use.
   Curve reparametrized() const
   {
     const auto jet = [first = m_first, second = m_second](double t) {

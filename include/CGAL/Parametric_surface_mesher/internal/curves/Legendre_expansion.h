@@ -19,17 +19,17 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A function on [-1,1] as a sum of Legendre polynomials, the projection by Gauss quadrature, and its integral.
+// A function on [-1,1] as a sum of Legendre polynomials, found by projection with Gauss quadrature, and its integral.
 class Legendre_expansion
 {
   static const int number_of_nodes = 15;
   typedef Eigen::Matrix<double, number_of_nodes, 1> Values;
 
   Values m_coefficients;
-  int m_degree = 0; // what is above is rounding noise
+  int m_degree = 0; // coefficients above are rounding noise
 
 public:
-  // asks `function(x)` at 15 places
+  // Evaluates `function(x)` at the 15 nodes.
   template <class Function>
   explicit Legendre_expansion(const Function& function)
   {
@@ -43,7 +43,7 @@ public:
         m_degree = k;
   }
 
-  // whether the last coefficients are small beside the first
+  // Whether the last coefficients are small compared with the first one.
   bool has_converged(double tolerance) const
   {
     return m_coefficients.tail<3>().lpNorm<1>() <= tolerance * std::fabs(m_coefficients[0]);
@@ -63,7 +63,7 @@ public:
     return sum;
   }
 
-  // from -1 to `x`
+  // The integral from -1 to `x`.
   double integral(double x) const
   {
     double sum = m_coefficients[0] * (x + 1), previous = 1, current = x;
@@ -80,7 +80,7 @@ private:
   struct Projection
   {
     Values nodes;
-    Eigen::Matrix<double, number_of_nodes, number_of_nodes> matrix; // of values at the nodes to coefficients
+    Eigen::Matrix<double, number_of_nodes, number_of_nodes> matrix; // maps values at the nodes to coefficients
   };
 
   static const Projection& projection()

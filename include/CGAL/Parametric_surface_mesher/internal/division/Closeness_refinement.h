@@ -30,9 +30,9 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // Where a face is narrower than the pieces of its boundary are long, triangles across it are flat, and no point inside can
-// help. Such pieces are halved, as far as the minimum edge allows; so are those much longer than a neighbour on the loop,
-// and those so much longer than the pieces across the face that triangles cannot grow from the ones to the others. The
-// pieces at the tip of a cusp stay. Where pieces cannot be halved, points are moved along the edges of the strip.
+// help. This class halves such pieces, as far as the minimum edge allows. It also halves pieces that are much longer than a
+// neighbour on the loop, and pieces so much longer than those across the face that triangles cannot grow from one side to the
+// other. The pieces at the tip of a cusp stay. Where pieces cannot be halved, points are moved along the edges of the strip.
 template <class Oracle>
 class Closeness_refinement
 {
@@ -51,20 +51,28 @@ class Closeness_refinement
   };
 
   static const int max_number_of_rounds = 16;
-  static constexpr double max_ratio = 2.5;      // of neighbours on a loop
-  static constexpr double gradation = 1;        // by how much longer pieces across a face may be per distance
-  static constexpr double largest_tip = 4;      // width of a cusp's tip, in minimum edges
-  static constexpr double sharpness = 0.32;     // width of a cusp's tip over its length
-  static constexpr double hopeless_share = 0.25; // of the minimum edge: what is narrower stays as it is
+  // The largest ratio of the lengths of neighbours on a loop.
+  static constexpr double max_ratio = 2.5;
+  // Of two pieces opposite to each other the longer one may exceed the shorter by this share of the distance between them.
+  static constexpr double gradation = 1;
+  // The largest width of the tip of a cusp, in minimum edges: pieces at wider tips can be divided.
+  static constexpr double largest_tip = 4;
+  // The largest ratio of width and length of the tip of a cusp, which is that of an angle of 18 degrees.
+  static constexpr double sharpness = 0.32;
+  // Pieces at a tip whose lengths differ by less than this factor count as equally long.
+  static constexpr double tolerated_ratio_at_tip = 1.4;
+  // What is narrower than this share of the minimum edge stays as it is: pieces of the minimum edge would still be four times as
+  // long as the face is wide.
+  static constexpr double hopeless_share = 0.25;
 
   Division& m_division;
-  const std::vector<Oracle>& m_oracles; // of the faces
+  const std::vector<Oracle>& m_oracles; // by face
   const Parametric_surface_mesh_criteria& m_criteria;
-  std::vector<Boundary>& m_boundaries; // of the faces
-  std::set<std::size_t> m_faces_with_strips; // narrower than pieces of their edges that cannot be halved
+  std::vector<Boundary>& m_boundaries; // by face
+  std::set<std::size_t> m_faces_with_strips; // those narrower than pieces that cannot be halved
 
 public:
-  // `boundaries`: of the faces; they follow the division
+  // `boundaries` has the boundary of each face; these are kept up to date with the division.
   Closeness_refinement(Division& division, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria,
                        std::vector<Boundary>& boundaries)
     : m_division(division), m_oracles(oracles), m_criteria(criteria), m_boundaries(boundaries)
@@ -72,7 +80,7 @@ public:
     m_boundaries.resize(oracles.size());
   }
 
-  // returns how many pieces were halved
+  // Returns the number of pieces that were halved.
   std::size_t operator()()
   {
     std::size_t number_of_splits = 0;
@@ -115,7 +123,7 @@ private:
     return divide();
   }
 
-  // if the piece ought to be halved, and cannot be
+  // Notes a piece that would have to be halved and is too short for it.
   void collect_along_strip(const Piece& piece, Vertex_handle v, Vertex_handle w, const Triangulation& triangulation,
                            Strip_division<Division>& divide) const
   {
@@ -128,7 +136,7 @@ private:
       divide.collect(piece);
   }
 
-  // Points of an edge are moved for the first face that asks for it.
+  // The points of an edge are moved for the first face with strips that uses it.
   void stagger_strips()
   {
     std::set<std::size_t> done; // edges
@@ -160,7 +168,7 @@ private:
     });
   }
 
-  // Calls `function` with the number of each loop of a face, its segments and vertices, and a triangulation of all loops.
+  // For each loop of a face, calls `function` with its index, its segments and vertices, and the triangulation of all loops.
   template <class Function>
   void for_each_loop(std::size_t face, const Function& function)
   {
@@ -213,12 +221,12 @@ private:
            && triangulation.geom_traits().orientation_2_object()(u->point(), v->point(), w->point()) == LEFT_TURN;
   }
 
-  // In a tip the smallest angle is that of its corner, if the two pieces have much the same length. Halving both would but
-  // add triangles as sharp as that.
+  // If the two pieces at a tip have about the same length, the smallest angle there is that of the corner. Halving both would only
+  // add more triangles that are as sharp.
   void even_out_tip(const Measured_piece& a, const Measured_piece& b, std::set<Piece>& pieces) const
   {
     const Measured_piece &longer = a.length > b.length ? a : b, &shorter = a.length > b.length ? b : a;
-    if(longer.length > 1.4 * shorter.length && longer.length >= 2 * m_criteria.min_edge()
+    if(longer.length > tolerated_ratio_at_tip * shorter.length && longer.length >= 2 * m_criteria.min_edge()
        && m_division.can_be_split(longer.piece))
       pieces.insert(longer.piece);
     else {
@@ -232,8 +240,9 @@ private:
     return length > limit && limit > hopeless_share * m_criteria.min_edge();
   }
 
-  // How long a piece at `v` may be for the sake of the pieces that edges across the face reach from there: as long as these,
-  // and longer by a share of the distance. Where the face is narrower than the minimum edge this would not help.
+  // The largest length of a piece at `v` that lets triangles grow to the pieces at the other ends of edges across the face: the
+  // length of these, plus a share of the distance. Where the face is narrower than the minimum edge there is no such bound, since
+  // it would not help.
   double graded_size(Vertex_handle v, const Triangulation& triangulation) const
   {
     double result = std::numeric_limits<double>::infinity();
@@ -251,9 +260,9 @@ private:
     return result;
   }
 
-  // The distance in space of the segment from the third corner of its triangle. (Not from its line: the triangles of a
-  // round hole's boundary are flat, but none of its points is close to another piece.) Where the triangle has the next
-  // segment for a side, that counts as a neighbour.
+  // The distance in space between the segment and the third corner of its triangle. It is not the distance from the line through
+  // the segment: the triangles at the boundary of a round hole are flat, but its points are not close to other pieces. If the
+  // next segment of the loop is a side of the triangle, it counts as a neighbour and not as close.
   static double width(Vertex_handle v, Vertex_handle w, const Triangulation& triangulation)
   {
     Face_handle face;
@@ -271,7 +280,8 @@ private:
     return result;
   }
 
-  // On the surface: points on either side of a closed surface are far from each other, however close they are in space.
+  // The distance along the surface: points on opposite sides of a thin closed surface are far from each other, however close they
+  // are in space.
   static double distance(Vertex_handle v, Vertex_handle w)
   {
     const auto &p = v->point(), &q = w->point();

@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Boundary curves may keep apart although the straight segments between the points of their division cross or touch. Such
-// pieces are halved, for all faces that use the edge, until no segments cross; if halving does not help, the curves cross
-// and are refused.
+// Boundary curves may be disjoint although the straight segments between the points of their divisions cross or touch. Such
+// pieces are halved, for all faces that use the edge, until no segments cross. If halving does not help, the curves themselves
+// cross and are refused.
 template <class Oracle>
 class Crossing_refinement
 {
@@ -35,12 +35,12 @@ class Crossing_refinement
   typedef typename Check::Segment_id Segment_id;
 
   Division& m_division;
-  const std::vector<Oracle>& m_oracles; // of the faces
+  const std::vector<Oracle>& m_oracles; // by face
 
 public:
   Crossing_refinement(Division& division, const std::vector<Oracle>& oracles) : m_division(division), m_oracles(oracles) {}
 
-  // Sees to the faces whose boundary has changed since it was called last. Returns how many pieces were halved.
+  // Checks the faces whose boundary has changed since the last call. Returns the number of pieces that were halved.
   std::size_t operator()()
   {
     std::size_t number_of_splits = 0;
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  // The segments must not cross in the domain, nor in the chart where they are straight instead.
+  // Segments must not cross in the coordinates in which they are straight, those of the domain or of the chart.
   void collect(std::size_t face, std::set<Piece>& pieces) const
   {
     const Boundary_loops<Kernel> loops = m_division.boundary_loops(face);
@@ -104,7 +104,7 @@ private:
     return m_division.piece(face, segment.first, segment.second);
   }
 
-  // in the domain of the face: then halving a piece does not change the boundary
+  // Whether the edge is straight in the domain of the face, so that halving a piece does not change the boundary.
   bool is_straight(std::size_t face, std::size_t edge) const
   {
     for(const auto& use : m_division.uses()[edge])
@@ -113,7 +113,7 @@ private:
     return false;
   }
 
-  // A chart leaves out the segments between copies of a pole.
+  // Converts a segment of the chart, which has none between copies of a pole.
   static Segment_id segment_in_domain(const Boundary_loops<Kernel>& loops, const Segment_id& in_chart)
   {
     const auto& loop = loops[in_chart.first];

@@ -17,6 +17,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Parametric_surface_mesher/divide_curve.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +98,7 @@ public:
     Edge_division<Kernel> division;
     const std::size_t prescribed = prescribed_number(number);
     if(prescribed > 0 && prescribed < least_number_of_pieces && m_uses[number].size() > 1)
-      throw Parametric_surface_mesh_error("edge " + std::to_string(number) + " is to be divided into "
+      throw Parametric_surface_mesh_error(numbered("edge", number) + " is to be divided into "
                                           + std::to_string(prescribed) + " pieces, but it needs at least "
                                           + std::to_string(least_number_of_pieces)
                                           + ": with fewer, edges of the mesh would coincide");

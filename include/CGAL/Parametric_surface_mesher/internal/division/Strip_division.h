@@ -28,9 +28,10 @@ class Strip_division
 {
   typedef typename Division::Piece Piece;
 
-  typedef std::map<std::size_t, std::set<std::size_t>> Numbers; // of pieces, by their edges
+  typedef std::map<std::size_t, std::set<std::size_t>> Numbers; // the indices of pieces, by edge
 
-  static constexpr double least_length = 1.15; // in minimum edges, so that points can still be moved along the strip
+  // The least length of a piece, in minimum edges: with 1 no point could be moved along the strip afterwards.
+  static constexpr double least_length = 1.15;
 
   Division& m_division;
   double m_min_edge;
@@ -39,13 +40,13 @@ class Strip_division
 public:
   Strip_division(Division& division, double min_edge) : m_division(division), m_min_edge(min_edge) {}
 
-  // a piece along a strip
+  // Adds a piece along a strip.
   void collect(const Piece& piece) { collect(piece, m_pieces); }
 
-  // a piece in a corner, along a strip if the next one on its edge is
+  // Adds a piece in a corner. It counts as along a strip if the next piece of its edge does.
   void collect_in_corner(const Piece& piece) { collect(piece, m_pieces_in_corners); }
 
-  // Puts more pieces in the place of those along strips, and returns the edges changed.
+  // Replaces pieces along strips by more of them, and returns the edges that have changed.
   std::set<std::size_t> operator()()
   {
     std::set<std::size_t> changed;
@@ -87,7 +88,7 @@ private:
     return true;
   }
 
-  // A row of pieces, as equal ones, if more have room.
+  // Divides a row of pieces into more equal ones if these have room.
   std::vector<double> divided(std::size_t edge, const std::vector<double>& row) const
   {
     std::vector<double> lengths(1, 0);

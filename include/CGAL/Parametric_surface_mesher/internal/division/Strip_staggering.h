@@ -36,30 +36,37 @@ class Strip_staggering
   typedef typename Division::Piece Piece;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
 
-  // an inner point of an edge, by its number there and its index in the mesh
+  // An inner point of an edge, by its place in the division of the edge and its index in the mesh.
   struct Slider
   {
     std::size_t edge, number, index;
-    std::array<std::size_t, 2> neighbors;                   // on the edge, by their indices
-    std::vector<std::pair<std::size_t, std::size_t>> sides; // of its triangles, opposite to it, by indices
+    std::array<std::size_t, 2> neighbors;                   // indices of the points beside it on the edge
+    std::vector<std::pair<std::size_t, std::size_t>> sides; // the sides opposite to it in its triangles, by indices
   };
 
-  typedef std::map<std::size_t, std::vector<double>> Parameters; // of edges
+  typedef std::map<std::size_t, std::vector<double>> Parameters; // by edge
 
-  // The minimum alone would keep a row of points, each of which can but move with the others, where it is.
+  // The quality of the triangles around a point. The product is included because the smallest angle alone would not move a row of
+  // points of which each can move only together with the others.
   struct Fan_quality
   {
-    double smallest = 1, product = 1; // of the squared sines of the smallest angles of the triangles
+    double smallest = 1, product = 1; // among the squared sines of the smallest angles of the triangles
   };
 
   static const int max_number_of_sweeps = 40;
-  static constexpr double squared_sine_aimed_at = 0.33; // of 35 degrees
-  static constexpr double tolerated_loss = 0.8;         // of the smallest squared sine, for the sake of all others
+  // A move must improve the product of qualities by this factor, so that moves come to an end.
+  static constexpr double least_improvement = 1.005;
+  // The moves that are tried, as shares of the way to a neighbour on the edge.
+  static constexpr double shares_of_way[] = {0.3, 0.1, 0.03};
+  // Added to qualities, so that a degenerate triangle does not hide the others in the product.
+  static constexpr double quality_of_degenerate = 1e-12;
+  static constexpr double squared_sine_aimed_at = 0.33; // that of 35 degrees
+  static constexpr double tolerated_loss = 0.8;         // the smallest squared sine may shrink by this factor if all others gain
 
   Division& m_division;
   std::size_t m_face;
   double m_min_edge;
-  std::map<std::size_t, Point_3> m_points; // by their indices
+  std::map<std::size_t, Point_3> m_points; // by index
   Parameters m_parameters;
   std::vector<Slider> m_sliders;
 
@@ -68,7 +75,7 @@ public:
     : m_division(division), m_face(face), m_min_edge(min_edge)
   {}
 
-  // Looks for points to move, by the triangulation of the boundary. `is_free`: tells of an edge
+  // Finds the points to move in the triangulation of the boundary. `is_free(e)` tells whether the points of edge `e` may be moved.
   template <class IsFree>
   void collect(std::size_t number, const std::vector<std::size_t>& segments, const std::vector<Vertex_handle>& loop,
                const Triangulation& triangulation, const IsFree& is_free)
@@ -89,7 +96,7 @@ public:
     }
   }
 
-  // Moves them, as long as the smallest angle of all does not lose much, and returns the edges changed.
+  // Moves the points as long as the smallest angle of all does not lose much, and returns the edges that have changed.
   std::set<std::size_t> operator()()
   {
     const Parameters old = m_parameters;
@@ -118,7 +125,7 @@ private:
 
   static double distance(const Point_3& p, const Point_3& q) { return std::sqrt(squared_distance(p, q)); }
 
-  // returns false if the strip is not narrow, or its pieces are not short
+  // Returns false if the strip is not narrow, or its pieces are not short.
   bool add_sides(const std::vector<Vertex_handle>& loop, std::size_t i, const Triangulation& triangulation,
                  Slider& slider) const
   {
@@ -160,7 +167,7 @@ private:
       const double sine
         = face_measures({squared_distance(q, r), squared_distance(r, p), squared_distance(p, q)}).squared_smallest_sine;
       result.smallest = (std::min)(result.smallest, sine);
-      result.product *= sine + 1e-12;
+      result.product *= sine + quality_of_degenerate;
     }
     return result;
   }
@@ -175,9 +182,9 @@ private:
       return false;
     const double old_t = t, ends[] = {parameters[slider.number - 1], parameters[slider.number + 1]};
     const Point_3 old_point = p;
-    double best = 1.005 * before.product;
+    double best = least_improvement * before.product;
     for(const double end : ends)
-      for(const double share : {0.3, 0.1, 0.03}) {
+      for(const double share : shares_of_way) {
         const double moved_t = old_t + share * (end - old_t);
         const Point_3 moved = m_division.point(slider.edge, moved_t);
         const double found = is_allowed(slider, old_point, moved) ? quality(slider, moved).product : 0;
@@ -190,7 +197,7 @@ private:
     return t != old_t;
   }
 
-  // Pieces of the division are to be no shorter than the minimum edge, and shorter than two of it.
+  // Pieces must not be shorter than the minimum edge, and must stay too short to be halved.
   bool is_allowed(const Slider& slider, const Point_3& from, const Point_3& to) const
   {
     for(const std::size_t neighbor : slider.neighbors) {

@@ -15,6 +15,7 @@
 #include <CGAL/Parametric_surface_mesher/validate.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,7 +30,7 @@ namespace internal {
 // An error without the name of the face that it begins with.
 inline std::string without_name_of_face(const Parametric_surface_mesh_error& error)
 {
-  const std::string what = error.what(), name = "face " + std::to_string(*error.face());
+  const std::string what = error.what(), name = numbered("face", *error.face());
   const bool has_name = what.compare(0, name.size(), name) == 0 && what.size() > name.size() + 2;
   return !has_name ? what : what.substr(name.size() + (what[name.size()] == ' ' ? 1 : 2));
 }
@@ -54,7 +55,7 @@ Parametric_surface_mesh_report mesh_without_bad_faces(const Model& model, Mesh m
     try {
       if(left_out.size() == model.faces().size())
         throw Parametric_surface_mesh_error(left_out.empty() ? "the model has no faces"
-                                                             : "no face can be meshed; face " + std::to_string(left_out.front().face)
+                                                             : "no face can be meshed; " + numbered("face", left_out.front().face)
                                                                  + ": " + left_out.front().reason);
       const Model& meshed = left_out.empty() ? model : rest;
       Model_validation<typename Model::Surface_3> check(meshed, true);

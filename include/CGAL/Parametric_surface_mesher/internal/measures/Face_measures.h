@@ -9,6 +9,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MEASURES_FACE_MEASURES_H
 
 #include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
@@ -19,16 +20,16 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// What the criteria and the placement need of a triangle, all from the squared lengths of its edges under
-// the metric: for the default metric these are the measures of the triangle in space.
+// The measures of a triangle that criteria and placement use, all computed from the squared lengths of its edges under the metric.
+// With the default metric these are the measures of the triangle in space.
 struct Face_measures
 {
-  std::array<double, 3> squared_lengths; // of the edge opposite to vertex i
+  std::array<double, 3> squared_lengths; // entry i: of the edge opposite to vertex i
   double squared_circumradius;
-  double squared_smallest_sine; // of the smallest angle
+  double squared_smallest_sine; // squared sine of the smallest angle
 };
 
-// 16 times the squared area (Heron)
+// 16 times the squared area, by Heron's formula.
 inline double squared_area_16(const std::array<double, 3>& l)
 {
   return 2 * (l[0] * l[1] + l[1] * l[2] + l[2] * l[0]) - (l[0] * l[0] + l[1] * l[1] + l[2] * l[2]);
@@ -40,7 +41,7 @@ inline double squared_circumradius(const std::array<double, 3>& l)
   return area > 0 ? l[0] * l[1] * l[2] / area : std::numeric_limits<double>::infinity();
 }
 
-// of the smallest angle
+// The squared sine of the smallest angle.
 inline double squared_smallest_sine(const std::array<double, 3>& l)
 {
   const double area = squared_area_16(l);
@@ -49,7 +50,7 @@ inline double squared_smallest_sine(const std::array<double, 3>& l)
 
 inline double squared_sine_of_degrees(double angle)
 {
-  const double sine = std::sin(angle * std::atan(1.) / 45);
+  const double sine = std::sin(angle * CGAL_PI / 180);
   return sine * sine;
 }
 

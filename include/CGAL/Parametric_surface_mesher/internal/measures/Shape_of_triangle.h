@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The initial values are those of a degenerate triangle.
+// Shape measures of a triangle in space. The initial values are those of a degenerate triangle.
 struct Shape_of_triangle
 {
   double min_angle = 0, max_angle = 180, radius_ratio = 0, area = 0;

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The connectivity of triangles that need not form a surface mesh: their corners are united to fans
-// across every edge of exactly two triangles. Corner `i` of triangle `t` is `3t+i`.
+// The connectivity of triangles that need not form a surface mesh. Their corners are joined to fans across every edge of exactly two
+// triangles. Corner `i` of triangle `t` has the index `3t+i`.
 class Triangle_soup_connectivity
 {
   struct Edge_use
@@ -39,12 +39,12 @@ class Triangle_soup_connectivity
   typedef std::vector<Edge_use>::const_iterator Edge_use_iterator;
   typedef boost::disjoint_sets_with_storage<> Partition;
 
-  std::vector<std::size_t> m_points; // of the corners
+  std::vector<std::size_t> m_points; // by corner
   std::vector<Edge_use> m_uses;
   Partition m_fans, m_components;
 
 public:
-  // `points` has the three points of each triangle, one after the other
+  // `points` has the three points of each triangle, one triangle after the other.
   explicit Triangle_soup_connectivity(const std::vector<std::size_t>& points)
     : m_points(points), m_fans(points.size()), m_components(points.size() / 3)
   {
@@ -110,7 +110,7 @@ private:
     }
   }
 
-  // the chains that `border` forms, where two edges are joined by the fan between them
+  // The number of chains that `border` forms; two edges are joined by the fan between them.
   std::size_t number_of_chains(const std::vector<Edge_use>& border)
   {
     Partition chains(m_points.size());

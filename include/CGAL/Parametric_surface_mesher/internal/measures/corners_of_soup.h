@@ -9,6 +9,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MEASURES_CORNERS_OF_SOUP_H
 
 #include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,7 +20,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The three points of each triangle of a soup, one after the other.
+// The indices of the three points of each triangle of a soup, one triangle after the other.
 template <class TriangleRange>
 std::vector<std::size_t> corners_of_soup(std::size_t number_of_points, const TriangleRange& triangles)
 {
@@ -30,9 +31,9 @@ std::vector<std::size_t> corners_of_soup(std::size_t number_of_points, const Tri
     for(const auto& index : triangle)
       corners.push_back(static_cast<std::size_t>(index));
     if(corners.size() != 3 * (t + 1))
-      throw Parametric_surface_mesh_error("face " + std::to_string(t) + " of the soup has not three points");
+      throw Parametric_surface_mesh_error(numbered("face", t) + " of the soup has not three points");
     if(*std::max_element(corners.end() - 3, corners.end()) >= number_of_points)
-      throw Parametric_surface_mesh_error("triangle " + std::to_string(t) + " of the soup has a point index that is "
+      throw Parametric_surface_mesh_error(numbered("face", t) + " of the soup has a point index that is "
                                           "not below the number of points " + std::to_string(number_of_points));
     ++t;
   }

@@ -10,6 +10,7 @@
 
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 
 #include <cstddef>
 #include <map>
@@ -20,7 +21,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// What uses each edge of a model, and on which side of the edge it lies. Refers to the loops of the model.
+// The uses of each edge of a model, with the side of the edge on which the face lies. Refers to the loops of the model.
 template <class Model>
 class Model_uses
 {
@@ -31,16 +32,16 @@ public:
   {
     std::size_t face;
     const Edge_use* use;
-    bool is_domain_left; // of the edge's curve in the domain
+    bool is_domain_left; // whether the domain lies to the left of the edge's curve in it
   };
 
 private:
   const Model& m_model;
-  std::vector<std::vector<Use>> m_uses; // of the edges
-  std::vector<std::size_t> m_order;     // of the edges, by their first use
+  std::vector<std::vector<Use>> m_uses; // by edge
+  std::vector<std::size_t> m_order;     // the edges in the order of their first use
 
 public:
-  // throws if a use is of an edge that does not exist
+  // \throws Parametric_surface_mesh_error if a use is of an edge that does not exist
   explicit Model_uses(const Model& model) : m_model(model), m_uses(model.edges().size())
   {
     for(std::size_t f = 0; f < model.faces().size(); ++f)
@@ -51,10 +52,10 @@ public:
   const std::vector<Use>& operator[](std::size_t edge) const { return m_uses[edge]; }
   const std::vector<std::size_t>& order() const { return m_order; }
 
-  // whether the face of `use`, seen from where it faces to, lies to the left of the edge
+  // Whether the face of `use`, seen from the side that it faces to, lies to the left of the edge.
   bool is_face_left(const Use& use) const { return use.is_domain_left != m_model.faces()[use.face].is_reversed; }
 
-  // the uses of an edge, by shells
+  // The uses of an edge, by shell.
   std::map<std::size_t, std::vector<Use>> by_shell(std::size_t edge) const
   {
     std::map<std::size_t, std::vector<Use>> result;
@@ -63,7 +64,7 @@ public:
     return result;
   }
 
-  // whether two faces meet at the edge in a shell, and no other
+  // Whether the edge has at most two uses, both in the same shell.
   bool is_manifold(std::size_t edge) const
   {
     return m_uses[edge].size() <= 2
@@ -77,8 +78,8 @@ private:
     const auto& loop = m_model.faces()[face].loops[number];
     for(const Edge_use& use : loop)
       if(use.edge >= m_uses.size())
-        throw Parametric_surface_mesh_error("face " + std::to_string(face) + ", loop " + std::to_string(number)
-                                            + ": there is no edge " + std::to_string(use.edge) + ", only "
+        throw Parametric_surface_mesh_error(numbered("face", face) + ", " + numbered("loop", number)
+                                            + ": there is no edge with index " + std::to_string(use.edge) + ", only "
                                             + std::to_string(m_uses.size()) + " edges", face);
     double double_area = 0;
     for(const Edge_use& use : loop)

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Lowers the maximum edge length, and the minimum with it.
+// Lowers the maximum edge length, and the minimum edge length if it would be larger.
 template <class Criteria>
 void limit_max_edge(double length, Criteria& criteria)
 {
@@ -24,7 +24,7 @@ void limit_max_edge(double length, Criteria& criteria)
   criteria.set_min_edge((std::min)(criteria.min_edge(), length));
 }
 
-// The criteria with the sizes of a face of a model.
+// The criteria with the sizes that a face of a model prescribes.
 template <class Criteria, class Face>
 Criteria criteria_of_face(const Criteria& criteria, const Face& face)
 {

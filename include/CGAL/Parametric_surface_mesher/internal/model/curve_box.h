@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The box around the image of a curve, at some points of it.
+// The bounding box of some points on the image of a curve.
 template <class Surface>
 Bbox_3 curve_box(const Surface& surface, const Domain_curve_2<typename Surface::Geom_traits>& curve)
 {
@@ -37,7 +37,7 @@ inline double diagonal(const Bbox_3& box)
   return std::sqrt(square(box.x_span()) + square(box.y_span()) + square(box.z_span()));
 }
 
-// The diagonal of the box around the images of all loops.
+// The diagonal of the bounding box of the images of all loops.
 template <class Surface>
 double model_diagonal(const Parametric_surface_model_3<Surface>& model)
 {

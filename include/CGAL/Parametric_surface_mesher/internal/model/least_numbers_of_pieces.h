@@ -20,13 +20,13 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// How many pieces each edge needs: a loop has three edges at least, no two edges of the mesh have the same ends, and an edge
-// where pieces are separated has an inner point.
+// The number of pieces that each edge needs at least. A loop must have three pieces, no two pieces may have the same ends, and an
+// edge at which the mesh is cut must have an inner point.
 template <class Model>
 std::vector<std::size_t> least_numbers_of_pieces(const Model& model, const Model_uses<Model>& uses)
 {
   std::vector<std::size_t> result(model.edges().size(), 1);
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> edges_between; // vertices
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> edges_between; // by the two vertices
   for(std::size_t e : uses.order()) {
     const auto& edge = model.edges()[e];
     const auto first = edges_between.emplace(std::minmax(edge.source, edge.target), e);

@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The largest coordinate of a domain, by the end points of its curves: gaps are measured against it.
+// The largest absolute coordinate of the end points of curves of a domain; tolerances of gaps are relative to it.
 template <class Kernel>
 double extent(const Parametric_domain_2<Kernel>& domain)
 {
@@ -42,7 +42,7 @@ double extent(const Parametric_domain_2<Kernel>& domain)
   return result;
 }
 
-// Refuses loops whose curves do not join, and joins those that do exactly.
+// Refuses loops whose curves do not join, and makes those that join up to rounding join exactly.
 template <class Kernel>
 void close_loops(Parametric_domain_2<Kernel>& domain)
 {
@@ -50,19 +50,19 @@ void close_loops(Parametric_domain_2<Kernel>& domain)
   for(std::size_t l = 0; l < domain.loops().size(); ++l) {
     auto& loop = domain.loops()[l];
     if(loop.empty())
-      throw Parametric_surface_mesh_error("loop " + std::to_string(l) + " has no curve");
+      throw Parametric_surface_mesh_error(numbered("loop", l) + " has no curve");
     for(std::size_t i = 0; i < loop.size(); ++i) {
       auto &curve = loop[i], &next = loop[(i + 1) % loop.size()];
       const double gap = std::sqrt(squared_distance(curve.target(), next.source()));
       if(!(gap <= tolerance))
-        throw Parametric_surface_mesh_error("loop " + std::to_string(l) + " is open: curve " + std::to_string(i)
+        throw Parametric_surface_mesh_error(numbered("loop", l) + " is open: " + numbered("curve", i)
                                             + " ends at (u,v) = " + describe(curve.target()) + ", the next one starts at "
                                             + describe(next.source()));
       curve.set_end_points(curve.source(), next.source());
     }
     const Bbox_2 box = loop_box(loop, [](const auto& curve) -> const auto& { return curve; });
     if(box.xmin() == box.xmax() && box.ymin() == box.ymax())
-      throw Parametric_surface_mesh_error("loop " + std::to_string(l) + " has area zero: all of it is at (u,v) = "
+      throw Parametric_surface_mesh_error(numbered("loop", l) + " has area zero: all of it is at (u,v) = "
                                           + describe(loop.front().source()));
   }
 }
@@ -79,8 +79,8 @@ class Patch_model_maker
 
   const Reference m_surface;
   Domain m_domain;
-  std::vector<bool> m_is_collapsed;     // of the curves
-  std::vector<std::size_t> m_sources, m_targets; // of the curves: numbers of curves that begin there
+  std::vector<bool> m_is_collapsed;     // by curve
+  std::vector<std::size_t> m_sources, m_targets; // by curve: the index of a curve that begins there
   Model m_model;
 
 public:
@@ -136,7 +136,7 @@ private:
     for(std::size_t i = 0; i < m_sources.size(); ++i)
       if(m_is_collapsed[i])
         ends.union_set(m_sources[i], m_targets[i]);
-    std::map<std::size_t, std::size_t> vertices; // of representatives
+    std::map<std::size_t, std::size_t> vertices; // by representative
     std::size_t number = 0;
     for_each_curve([&](const auto& curve) {
       const std::size_t end = ends.find_set(m_sources[number++]);

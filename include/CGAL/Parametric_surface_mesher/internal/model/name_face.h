@@ -9,6 +9,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_NAME_FACE_H
 
 #include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 
 #include <cstddef>
 #include <string>
@@ -17,7 +18,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Calls `function`; errors carry the number of the face.
+// Calls `function`; its errors get the index of the face.
 template <class Function>
 auto about_face(std::size_t face, Function function)
 {
@@ -29,7 +30,7 @@ auto about_face(std::size_t face, Function function)
   }
 }
 
-// Calls `function`; errors carry the number of the face, and name it if the model has several.
+// Calls `function`; its errors get the index of the face, and their messages name the face if the model has several.
 template <class Model, class Function>
 auto with_name_of_face(const Model& model, std::size_t face, Function function)
 {
@@ -37,7 +38,7 @@ auto with_name_of_face(const Model& model, std::size_t face, Function function)
     return function();
   }
   catch(const Parametric_surface_mesh_error& error) {
-    const std::string name = model.faces().size() == 1 ? "" : "face " + std::to_string(face) + ": ";
+    const std::string name = model.faces().size() == 1 ? "" : numbered("face", face) + ": ";
     throw Parametric_surface_mesh_error(name + error.what(), face);
   }
 }

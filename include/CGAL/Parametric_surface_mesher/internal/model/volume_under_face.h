@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The integral of a function over [a,b], by a Gauss rule on each of some parts.
+// The integral of a function over [a,b], by a Gauss rule on each of several equal intervals.
 template <class Function>
 double integral(Function function, double a, double b, int number_of_parts)
 {
@@ -30,9 +30,9 @@ double integral(Function function, double a, double b, int number_of_parts)
   return sum;
 }
 
-// The signed volume between a face of a model and a point: summed over a closed surface, what it encloses. The integral
-// over the domain of S (S_u x S_v) / 3 is taken along the loops, by Green's theorem. For the sign of the volume in few
-// faces four parts of each curve are good enough, and in many faces one.
+// The signed volume between a face of a model and a point; summed over the faces of a closed surface it is the volume enclosed.
+// The integral of S (S_u x S_v) / 3 over the domain is taken along the loops, by Green's theorem. Only its sign is needed: four
+// intervals for each curve are accurate enough for a surface of few faces, and one is for many.
 template <class Face, class Point_3>
 double volume_under_face(const Face& face, const Point_3& origin, int number_of_parts)
 {

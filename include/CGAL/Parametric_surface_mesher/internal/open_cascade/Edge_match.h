@@ -24,14 +24,14 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A curve in space, or a part of it, with its arc length.
+// A curve in space, or a part of one, with its arc length.
 template <class Kernel>
 struct Measured_space_curve
 {
   typedef std::shared_ptr<const Space_curve_3<Kernel>> Curve;
 
   Curve curve;
-  double begin, end; // parameters
+  double begin, end; // the parameters of its ends
   Arc_length<std::function<double(double)>> length;
 
   Measured_space_curve(const Curve& c, double t0, double t1)
@@ -42,15 +42,16 @@ struct Measured_space_curve
   double parameter_at(double share) const { return length.position_at(share * length.length()).parameter; }
 };
 
-// Two curves in space, side by side, that are to be one. Points correspond that have the same share of the length before
-// them, or on the second one behind them if it runs back.
+// Two curves in space, side by side, that are to become one. Two points correspond if the lengths before them are equal shares of
+// the whole lengths (on the second curve the length behind the point, if it runs in the opposite direction).
 template <class Kernel>
 class Edge_match
 {
   typedef Measured_space_curve<Kernel> Measured_curve;
   typedef Domain_curve_2<Kernel> Curve;
 
-  static const int number_of_samples = 64;
+  static const int number_of_samples = 64; // of the distance
+  static constexpr double tolerance_of_linearity = 1e-10; // in parameters, which run from 0 to 1
 
   std::shared_ptr<const Measured_curve> m_first, m_second;
   bool m_is_reversed;
@@ -63,7 +64,7 @@ public:
 
   bool is_reversed() const { return m_is_reversed; }
 
-  // the largest distance of corresponding points
+  // The largest distance between corresponding points.
   double distance() const
   {
     double squared = 0;
@@ -75,8 +76,8 @@ public:
     return std::sqrt(squared);
   }
 
-  // A curve in a domain, with the parameters of the second curve, gets those of the first. (Its second derivative is not
-  // known, and not needed: an edge is measured on its curve in space.)
+  // Converts a curve in a domain from the parameters of the second curve to those of the first. Its second derivative is set to
+  // zero; it is not needed, because an edge is measured on its curve in space.
   Curve reparametrized(const Curve& curve) const
   {
     const auto source = curve.point(m_is_reversed ? m_second->end : m_second->begin),
@@ -95,14 +96,14 @@ public:
   }
 
 private:
-  // of the second curve
+  // The parameter of the second curve that corresponds to the parameter `t` of the first.
   double parameter(double t) const
   {
     const double share = m_first->length.length_at(t) / m_first->length.length();
     return m_second->parameter_at(m_is_reversed ? 1 - share : share);
   }
 
-  // of `parameter()`
+  // The derivative of `parameter()`.
   double derivative(double t) const
   {
     const double speed = m_first->curve->speed(t) / m_first->length.length() * m_second->length.length(),
@@ -110,13 +111,13 @@ private:
     return (m_is_reversed ? -1 : 1) * (std::isfinite(result) ? result : 1);
   }
 
-  // whether parameters are in proportion
+  // Whether corresponding parameters are in proportion.
   bool is_linear() const
   {
     for(const double share : {0.125, 0.375, 0.5, 0.75}) {
       const double s = parameter(m_first->begin + share * (m_first->end - m_first->begin)),
                    expected = m_is_reversed ? 1 - share : share;
-      if(std::fabs(s - m_second->begin - expected * (m_second->end - m_second->begin)) > 1e-10)
+      if(std::fabs(s - m_second->begin - expected * (m_second->end - m_second->begin)) > tolerance_of_linearity)
         return false;
     }
     return true;

@@ -35,8 +35,8 @@ struct Directed_edge
 };
 typedef std::vector<Directed_edge> Edge_chain;
 
-// What takes the place of vertices and edges of a model: of some vertices another one, and of some edges a chain along them.
-// Whatever has one place is within a given width of it, so that widths do not add up.
+// Merges vertices and edges of a model: vertices are replaced by another vertex, and edges by a chain of edges along them.
+// Everything that is replaced lies within a given width of its replacement, so that widths do not add up.
 class Edge_merging
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
@@ -45,7 +45,7 @@ class Edge_merging
   typedef Measured_space_curve<Kernel> Measured_curve;
 
 public:
-  // an edge with a part of another one that it takes the place of
+  // An edge, with the part of another edge that it replaces.
   struct Piece
   {
     std::size_t edge;
@@ -56,8 +56,8 @@ public:
 private:
   const Model* m_model;
   double m_width;
-  std::vector<std::size_t> m_vertices; // in the places of all
-  std::map<std::size_t, Edge_chain> m_chains; // in the places of edges
+  std::vector<std::size_t> m_vertices; // the replacement of each vertex
+  std::map<std::size_t, Edge_chain> m_chains; // the replacements of edges
 
 public:
   Edge_merging(const Model& model, double width) : m_model(&model), m_width(width), m_vertices(model.vertices().size())
@@ -77,10 +77,10 @@ public:
     return found != m_chains.end() ? found->second : Edge_chain{{edge, false}};
   }
 
-  // the pieces of an edge that is replaced, or none
+  // The pieces that replace an edge; none if it is not replaced.
   Pieces pieces(std::size_t edge) const { return is_replaced(edge) ? *pieces(edge, chain(edge)) : Pieces(); }
 
-  // How an edge is divided by a chain that runs along it, if it does: by shares of the length.
+  // Divides an edge, by shares of the length, into pieces along the edges of a chain; none if the chain does not run along it.
   std::optional<Pieces> pieces(std::size_t edge, const Edge_chain& chain) const
   {
     if(!runs_along(edge, chain))
@@ -106,7 +106,7 @@ public:
     return result;
   }
 
-  // The following return false if they fail; what is left then is of no use.
+  // The following functions return false if they fail; the object must not be used any more then.
 
   bool merge_vertices(std::size_t v, std::size_t w)
   {
@@ -120,7 +120,7 @@ public:
     return true;
   }
 
-  // Merges two chains side by side.
+  // Merges two chains that lie side by side.
   bool merge(const Edge_chain& first, const Edge_chain& second)
   {
     const Edge_chain a = in_place(first), b = in_place(second);
@@ -152,7 +152,7 @@ private:
     return e.is_reversed ? m_model->edges()[e.edge].target : m_model->edges()[e.edge].source;
   }
 
-  // whether the ends are close, which is quickly seen
+  // Whether the ends are close to each other, a quick test.
   bool runs_along(std::size_t edge, const Edge_chain& chain) const
   {
     const auto has_no_curve = [this](const Directed_edge& e) { return !curve(e.edge); };
@@ -173,7 +173,7 @@ private:
     return result;
   }
 
-  // A chain takes the place of an edge that is not replaced yet, wherever this is.
+  // Replaces an edge that is not replaced yet by a chain, wherever the edge occurs.
   bool replace(const Directed_edge& old, const Edge_chain& chain)
   {
     const auto is_old = [&](const Directed_edge& e) { return e.edge == old.edge; };
@@ -194,11 +194,11 @@ private:
   }
 };
 
-// What takes the place of an edge of the shape in the model.
+// What stands in the model for an edge of the shape.
 struct Edge_place
 {
-  bool is_point;               // whether it is a vertex
-  Edge_merging::Pieces pieces; // none if it is the edge itself
+  bool is_point;               // whether a vertex stands for it
+  Edge_merging::Pieces pieces; // none if the edge stands for itself
 };
 
 } // namespace internal

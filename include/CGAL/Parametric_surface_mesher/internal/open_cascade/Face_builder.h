@@ -38,7 +38,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Builds one face of a model.
+// Builds one face of a model from a face of the shape.
 class Face_builder
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
@@ -48,19 +48,28 @@ class Face_builder
   typedef Model::Loop Loop;
   typedef Model::Curve Curve;
 
+  // An edge and a curve in the domain are compared at 17 points.
   static const int number_of_samples = 16;
-  static constexpr double distrusted_gap = 1e-4, refused_gap = 1e-2; // over the diagonal
-  static constexpr double least_tolerance = 1e-7;                    // over the diagonal
+  // As shares of the diagonal of the shape. A curve that is farther from its edge than the first is projected anew if that
+  // helps; farther than the second, its face is refused.
+  static constexpr double distrusted_gap = 1e-4, refused_gap = 1e-2;
+  // A curve is not distrusted either if it is within so many tolerances of the edge in the file.
+  static constexpr double trusted_tolerances = 10;
+  // As a share of the diagonal: points of loops closer than this are the same point. The default precision of Open CASCADE for a
+  // shape of size 1.
+  static constexpr double least_tolerance = 1e-7;
+  // A little more than what was measured, so that other roundings of the same distance are within the tolerance.
+  static constexpr double allowance_for_rounding = 1.01;
 
   Open_cascade_model_3& m_result;
   const TopTools_IndexedMapOfShape& m_edges;
-  const std::vector<Edge_place>& m_places; // of the edges
+  const std::vector<Edge_place>& m_places; // by edge of the shape
   const std::vector<double>& m_vertex_tolerances;
-  TopoDS_Face m_face; // oriented forward
+  TopoDS_Face m_face; // with forward orientation
   std::size_t m_number;
-  Open_cascade_surface_3 m_surface, m_original; // of the model, and of the file
-  std::optional<Stereographic_sphere_3<Kernel>> m_chart; // between the two, on spheres
-  std::vector<std::pair<std::size_t, double>> m_gaps; // of edges
+  Open_cascade_surface_3 m_surface, m_original; // the surface of the model, and that of the file
+  std::optional<Stereographic_sphere_3<Kernel>> m_chart; // if the two differ, as on some spheres
+  std::vector<std::pair<std::size_t, double>> m_gaps; // by edge
 
 public:
   Face_builder(Open_cascade_model_3& result, const TopTools_IndexedMapOfShape& edges,
@@ -74,7 +83,7 @@ public:
       m_surface = Open_cascade_surface_3::reparametrized(*m_chart);
   }
 
-  // the face, without its side and shell
+  // The face, with no side and shell set.
   Model::Face operator()()
   {
     std::vector<Loop> loops;
@@ -83,7 +92,7 @@ public:
       if(wire.Value().ShapeType() == TopAbs_WIRE) {
         const Loop uses = uses_of(wire.Value());
         for(Loop& loop : order(uses)) {
-          m_result.number_of_removed_slits -= loop.size(); // each two of its uses are counted below
+          m_result.number_of_removed_slits -= loop.size(); // the uses of slits, which are in no loop, remain
           loops.push_back(std::move(loop));
         }
         m_result.number_of_removed_slits += uses.size();
@@ -107,7 +116,7 @@ private:
     for(TopoDS_Iterator i(wire); i.More(); i.Next()) {
       const TopoDS_Edge edge = TopoDS::Edge(i.Value());
       if(edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED)
-        continue; // inside the face, or outside of it: no boundary
+        continue; // an edge inside or outside the face is no boundary
       const std::size_t number = std::size_t(m_edges.FindIndex(edge)) - 1;
       if(m_places[number].is_point)
         continue;
@@ -118,7 +127,7 @@ private:
     return result;
   }
 
-  // A use of an edge becomes uses of those in its place.
+  // Appends a use of an edge or, if the edge is replaced, uses of the edges in its place.
   void append_in_place(const Edge_use& use, Loop& result) const
   {
     if(m_places[use.edge].pieces.empty())
@@ -127,18 +136,19 @@ private:
       result.push_back({piece.edge, use.is_reversed != piece.match.is_reversed(), piece.match.reparametrized(use.curve)});
   }
 
-  // A pole of a sphere is none in its chart. Elsewhere, an edge that claims to be collapsed and is not: Open CASCADE's
-  // readers put such edges between curves that are periods apart, and Loop_closer brings these together.
+  // Whether an edge that is marked as collapsed is no side of the domain. In the chart of a sphere a pole is a regular point.
+  // Elsewhere the mark may be wrong: Open CASCADE's readers add such edges between curves that are periods apart, which
+  // Loop_closer joins.
   bool is_no_boundary(const Edge_use& use) const
   {
     const auto& edge = m_result.model.edges()[use.edge];
     return edge.is_collapsed
-           && (m_chart || gap(use.edge, use.curve) > (std::max)(distrusted_gap * m_result.diagonal, 10 * edge.tolerance));
+           && (m_chart || gap(use.edge, use.curve) > (std::max)(distrusted_gap * m_result.diagonal, trusted_tolerances * edge.tolerance));
   }
 
   Curve charted(const Curve& curve) const { return m_chart ? m_chart->curve(m_original, curve) : curve; }
 
-  // The curve of the file, if it lies where the edge is; else a new one, if that does.
+  // The curve of the file or, if that is missing or far from the edge, a projected one if that is closer.
   Curve domain_curve(const TopoDS_Edge& edge, std::size_t number)
   {
     std::optional<Curve> curve = convert_domain_curve<Kernel>(edge, m_face);
@@ -157,7 +167,7 @@ private:
       }
     }
     if(!curve)
-      throw Parametric_surface_mesh_error("edge " + std::to_string(number) + " has no curve in the domain, and cannot be projected");
+      throw Parametric_surface_mesh_error(numbered("edge", number) + " has no curve in the domain, and cannot be projected");
     return *curve;
   }
 
@@ -169,10 +179,11 @@ private:
 
   double distrusted(std::size_t edge) const
   {
-    return (std::max)(distrusted_gap * m_result.diagonal, 10 * tolerance(edge));
+    return (std::max)(distrusted_gap * m_result.diagonal, trusted_tolerances * tolerance(edge));
   }
 
-  // The largest distance of the image of a curve from its edge in space, at the same parameters, and its vertices.
+  // The largest distance between the image of a curve and its edge in space, at the same parameters, and at the ends between the
+  // image and the vertices.
   double gap(std::size_t number, const Curve& curve) const
   {
     const auto& edge = m_result.model.edges()[number];
@@ -189,7 +200,7 @@ private:
         d = squared_distance(p, vertices[edge.target]);
       else if(edge.curve)
         d = squared_distance(p, edge.curve->point(t));
-      squared = d <= squared ? squared : d; // also if it is not a number
+      squared = d <= squared ? squared : d; // also keeps a distance that is not a number
     }
     return std::sqrt(squared);
   }
@@ -198,21 +209,21 @@ private:
   {
     const double distance = gap(use.edge, use.curve);
     if(!(distance <= refused_gap * m_result.diagonal))
-      throw Parametric_surface_mesh_error("edge " + std::to_string(use.edge) + ": the image of its curve in the domain is "
+      throw Parametric_surface_mesh_error(numbered("edge", use.edge) + ": the image of its curve in the domain is "
                                           + describe(distance) + " away from the edge; its tolerance is "
                                           + describe(m_result.model.edges()[use.edge].tolerance));
     m_gaps.emplace_back(use.edge, distance);
   }
 
-  // What was measured is allowed, and reported if the file promises less.
+  // Sets tolerances of edges that allow the measured gaps, and reports gaps above the tolerances of the file.
   void keep_gaps()
   {
     for(const auto& gap : m_gaps) {
       auto& edge = m_result.model.edges()[gap.first];
       m_result.largest_gap = (std::max)(m_result.largest_gap, gap.second);
-      if(gap.first < m_result.number_of_shape_edges && gap.second > 1.01 * tolerance(gap.first))
+      if(gap.first < m_result.number_of_shape_edges && gap.second > allowance_for_rounding * tolerance(gap.first))
         m_result.gaps.push_back({gap.first, m_number, gap.second, tolerance(gap.first)});
-      edge.tolerance = (std::max)(edge.tolerance, 1.01 * gap.second);
+      edge.tolerance = (std::max)(edge.tolerance, allowance_for_rounding * gap.second);
     }
   }
 };

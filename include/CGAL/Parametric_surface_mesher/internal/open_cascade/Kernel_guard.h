@@ -27,7 +27,7 @@ inline std::string describe_failure(const Standard_Failure& failure)
          + (message != nullptr && *message != '\0' ? std::string(", ") + message : "");
 }
 
-// Calls `function`. An exception of the kernel, which is no `std::exception`, becomes one of the mesher.
+// Calls `function`. Exceptions of Open CASCADE, which are not derived from `std::exception`, become those of this package.
 template <class Function>
 auto guarded(Function function)
 {

@@ -29,8 +29,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Makes the curves of a loop meet exactly in the domain of a face. The curves of a file meet up to tolerances, up to whole
-// periods of the surface, and at poles whose collapsed edge is missing not at all.
+// Makes the curves of a loop meet exactly in the domain of a face. In a file they meet only up to tolerances and up to whole periods
+// of the surface, and do not meet at poles whose collapsed edge is missing. ShapeFix_Wire of Open CASCADE also closes loops, but
+// changes edges, which faces share, and keeps gaps within the tolerances.
 class Loop_closer
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
@@ -41,27 +42,37 @@ class Loop_closer
   typedef Kernel::Point_2 Point_2;
   typedef Kernel::Vector_2 Vector_2;
 
-  static constexpr double tolerance_factor = 10; // over the tolerances of the file
+  // Ends of curves are joined up to so many times the tolerances of the file, which are often exceeded.
+  static constexpr double tolerance_factor = 10;
+  // A collapsed side whose other coordinate changes by less than this share is parallel to an axis up to rounding.
+  static constexpr double slope_of_straight_side = 1e-6;
+  // Squared ratio of derivatives: below, a point is at a pole up to rounding.
+  static constexpr double squared_ratio_at_pole = 1e-12;
+  // Limits, as shares of the domain, of a tolerance that is converted to the domain: roundings are above the first, and points
+  // farther apart than the second are never joined.
+  static constexpr double least_share_of_domain = 1e-9, largest_share_of_domain = 1e-2;
+  // Points are joined although they are farther apart in space than in the domain by this factor, where parameters run slowly.
+  static constexpr double factor_of_slow_parameters = 1e3;
   static const int number_of_samples = 8;
 
   Model& m_model;
   const Open_cascade_surface_3& m_surface;
   const std::vector<double>& m_vertex_tolerances;
   double m_least_tolerance, m_widest_gap;
-  double m_tolerance_u = 0, m_tolerance_v = 0; // in the domain, of a length of 1 in space
+  double m_tolerance_u = 0, m_tolerance_v = 0; // lengths in the domain of a length of 1 in space
   Bbox_2 m_box;
-  std::map<std::size_t, std::vector<Point_2>> m_corners; // of each vertex
+  std::map<std::size_t, std::vector<Point_2>> m_corners; // by vertex
 
 public:
-  // Distances in space: points closer than `least_tolerance` are one whatever the tolerance of their vertex is, and ends of
-  // curves that follow each other are joined if they are closer than `widest_gap`.
+  // Both distances are in space. Points closer than `least_tolerance` are the same point whatever the tolerance of their vertex is,
+  // and the ends of successive curves are joined if they are closer than `widest_gap`.
   Loop_closer(Model& model, const Open_cascade_surface_3& surface, const std::vector<double>& vertex_tolerances,
               double least_tolerance, double widest_gap)
     : m_model(model), m_surface(surface), m_vertex_tolerances(vertex_tolerances), m_least_tolerance(least_tolerance),
       m_widest_gap(widest_gap)
   {}
 
-  // \pre the uses of each loop follow each other, by their vertices
+  // \pre each use of a loop begins at the vertex where the one before it ends
   void operator()(std::vector<Loop>& loops)
   {
     for(Loop& loop : loops)
@@ -95,28 +106,28 @@ private:
     use.is_reversed ? use.curve.set_end_points(p, use.curve.target()) : use.curve.set_end_points(use.curve.source(), p);
   }
 
-  // A collapsed side runs exactly along u or v, if it nearly does.
+  // Makes a collapsed side exactly parallel to an axis if it is so up to rounding.
   void straighten_collapsed(Edge_use& use) const
   {
     if(!edge(use).is_collapsed)
       return;
     const Point_2 p = use.curve.source(), q = use.curve.target();
     const double du = std::fabs(q.x() - p.x()), dv = std::fabs(q.y() - p.y());
-    use.curve = Curve::segment(p, dv < 1e-6 * du   ? Point_2(q.x(), p.y())
-                                                 : du < 1e-6 * dv ? Point_2(p.x(), q.y())
+    use.curve = Curve::segment(p, dv < slope_of_straight_side * du   ? Point_2(q.x(), p.y())
+                                                 : du < slope_of_straight_side * dv ? Point_2(p.x(), q.y())
                                                                   : q);
   }
 
   static double periods(double difference, double period) { return period > 0 ? std::round(difference / period) : 0; }
 
-  // By how many periods `q` is away from `p`. At a pole, where lengths in the domain mean nothing, by none.
+  // The whole periods between `p` and `q`. At a pole, where lengths in the domain mean nothing, there are none.
   Vector_2 periods_between(const Point_2& p, const Point_2& q) const
   {
     if(!(m_surface.u_period() > 0 || m_surface.v_period() > 0))
       return Vector_2(0, 0);
     const auto jet = m_surface.jet(p.x(), p.y());
-    const bool is_pole_u = jet.du.squared_length() < 1e-12 * jet.dv.squared_length(),
-               is_pole_v = jet.dv.squared_length() < 1e-12 * jet.du.squared_length();
+    const bool is_pole_u = jet.du.squared_length() < squared_ratio_at_pole * jet.dv.squared_length(),
+               is_pole_v = jet.dv.squared_length() < squared_ratio_at_pole * jet.du.squared_length();
     return Vector_2(is_pole_u ? 0 : m_surface.u_period() * periods(q.x() - p.x(), m_surface.u_period()),
                     is_pole_v ? 0 : m_surface.v_period() * periods(q.y() - p.y(), m_surface.v_period()));
   }
@@ -134,7 +145,7 @@ private:
                                           + describe(end_point(loop.back())) + ", and there is no seam");
   }
 
-  // How far, in the domain, points are apart that are 1 apart in space: the mean over the boundary.
+  // Measures how far apart, in the domain, points are whose distance in space is 1, as a mean over the boundary.
   void measure(const std::vector<Loop>& loops)
   {
     const auto curve = [](const Edge_use& use) -> const auto& { return use.curve; };
@@ -161,13 +172,13 @@ private:
   bool are_close(const Point_2& p, const Point_2& q, double tolerance) const
   {
     const auto limit = [=](double per_length, double span) {
-      return (std::min)((std::max)(tolerance * per_length, 1e-9 * span), 1e-2 * span);
+      return (std::min)((std::max)(tolerance * per_length, least_share_of_domain * span), largest_share_of_domain * span);
     };
     return std::fabs(p.x() - q.x()) <= limit(m_tolerance_u, m_box.x_span())
            && std::fabs(p.y() - q.y()) <= limit(m_tolerance_v, m_box.y_span());
   }
 
-  // A collapsed side as short as a tolerance is no side.
+  // Removes collapsed sides that are not longer, in the domain, than the tolerance.
   void remove_short_collapsed(Loop& loop) const
   {
     const auto is_short = [this](const Edge_use& use) {
@@ -189,7 +200,7 @@ private:
     loop.swap(result);
   }
 
-  // Joins the last use of `loop` to `next`, by an edge if there is a pole between them.
+  // Joins the last use of `loop` to `next`, with a collapsed edge between them if there is a pole.
   void join(Loop& loop, Edge_use& next)
   {
     const std::size_t vertex = end_vertex(loop.back());
@@ -211,10 +222,10 @@ private:
     set_begin_point(next, r);
   }
 
-  // of the curve whose end is kept
+  // Of two curves that meet, the end of the one with the higher rank is kept.
   int rank(const Edge_use& use) const { return edge(use).is_collapsed ? 2 : use.curve.is_straight() ? 1 : 0; }
 
-  // Loops that touch in a vertex have exactly the same point there.
+  // Makes loops that touch in a vertex have exactly the same point there.
   Point_2 corner(std::size_t vertex, const Point_2& p)
   {
     for(const Point_2& q : m_corners[vertex])
@@ -224,7 +235,7 @@ private:
     return p;
   }
 
-  // whether the line between two domain points is one point in space
+  // Whether the segment between two domain points is one point in space.
   bool is_pole(const Point_2& p, const Point_2& q, std::size_t vertex) const
   {
     const double squared_tolerance = square(tolerance(vertex));
@@ -239,7 +250,7 @@ private:
   void check_gap(const Point_2& p, const Point_2& q, std::size_t vertex) const
   {
     const double gap = std::sqrt(squared_distance(m_surface.point(p.x(), p.y()), m_surface.point(q.x(), q.y())));
-    if(!(gap <= (std::max)(tolerance(vertex), m_widest_gap)) || !are_close(p, q, (std::max)(tolerance(vertex), 1e3 * gap)))
+    if(!(gap <= (std::max)(tolerance(vertex), m_widest_gap)) || !are_close(p, q, (std::max)(tolerance(vertex), factor_of_slow_parameters * gap)))
       throw Parametric_surface_mesh_error("a loop is open in the domain, between (u,v) = " + describe(p) + " and "
                                           + describe(q) + ", " + describe(gap) + " apart in space");
   }
@@ -277,7 +288,7 @@ private:
     }
   }
 
-  // the periods that bring the middle of one range into another one, or 0
+  // The whole periods that move the middle of a range into another range; 0 if none do.
   static double shift(double min, double max, double outer_min, double outer_max, double period)
   {
     const double middle = 0.5 * (min + max);

@@ -32,32 +32,32 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Finds faces that are nowhere wider than a given width, and what becomes of their edges: those on one side take the place
-// of the one on the other side, and short ones become a vertex, as do short edges elsewhere. What cannot be closed up
-// without harm to its neighbours stays.
+// Finds faces that are nowhere wider than a given width and closes them up: edges on one side replace the one on the other side, and
+// short edges become a vertex. Short edges of other faces become a vertex as well. A face that cannot be closed up without harm
+// to its neighbours stays.
 class Narrow_face_closer
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
   typedef Model::Point_3 Point_3;
-  typedef std::vector<std::size_t> Wire; // edges on the boundary of a face; of a seam twice
+  typedef std::vector<std::size_t> Wire; // the edges of a loop of a face; a seam occurs twice
 
   static const int number_of_samples = 16;
 
   struct Side_by_side
   {
     std::size_t edge;
-    Edge_chain chain; // along it
+    Edge_chain chain; // the edges along it
   };
 
   const Model& m_model;
   const TopTools_IndexedMapOfShape& m_faces;
   double m_width;
-  std::vector<bool> m_is_short; // edges, no longer than the width and not a point
-  std::vector<std::vector<Wire>> m_wires; // of the faces
-  std::vector<bool> m_is_kept; // faces, although they may be narrow
+  std::vector<bool> m_is_short; // by edge: not longer than the width, and not a point
+  std::vector<std::vector<Wire>> m_wires; // by face
+  std::vector<bool> m_is_kept; // by face: stays although it may be narrow
   Edge_merging m_merging;
-  std::map<std::size_t, double> m_closed_up; // the widths of faces
-  std::set<std::size_t> m_refused; // faces that stay, and narrow ones beside them with them
+  std::map<std::size_t, double> m_closed_up; // the widths of the faces that are closed up
+  std::set<std::size_t> m_refused; // faces that stay; narrow ones beside them must stay, too
 
 public:
   // \pre the model has the vertices and the edges of the shape
@@ -86,7 +86,7 @@ public:
 
   bool is_closed_up(std::size_t face) const { return m_closed_up.count(face) != 0; }
 
-  // what takes the place of a vertex or an edge
+  // What replaces a vertex.
   std::size_t vertex_place(std::size_t v) const { return m_merging.vertex(v); }
   Edge_place edge_place(std::size_t e) const { return {is_point(m_merging, e), m_merging.pieces(e)}; }
 
@@ -124,7 +124,7 @@ private:
     return m_is_short[e] && merging.source({e, false}) == merging.target({e, false});
   }
 
-  // the edges of a face that are short, or those that are not; poles are neither
+  // The short edges of a face, or the long ones; poles are neither.
   std::vector<std::size_t> edges_of(std::size_t f, bool are_short) const
   {
     std::vector<std::size_t> result;
@@ -140,7 +140,7 @@ private:
     m_merging = Edge_merging(m_model, m_width);
     m_closed_up.clear();
     m_refused.clear();
-    for(const bool is_long : {false, true}) // small faces at the ends of narrow ones first
+    for(const bool is_long : {false, true}) // small faces first: they may be at the ends of narrow ones
       for(std::size_t f = 0; f < m_wires.size(); ++f)
         if(!m_is_kept[f] && succeeds([&] { return may_be_narrow(f, is_long); }))
           close_up(f);
@@ -150,7 +150,7 @@ private:
           m_refused.insert(f);
   }
 
-  // whether a wire without its points is two edges side by side
+  // Whether a wire without its points consists of two edges side by side.
   bool is_flat(const Wire& wire) const
   {
     Wire left;
@@ -160,13 +160,13 @@ private:
 
   bool is_pair(const Wire& wire) const { return wire.size() == 2 && succeeds([&] { return !pairs_of(wire).empty(); }); }
 
-  // a quick test
+  // A quick test that excludes most faces.
   bool may_be_narrow(std::size_t f, bool is_long) const
   {
     return edges_of(f, false).empty() != is_long && (!edges_of(f, true).empty() || !pairs_of(edges_of(f, false)).empty());
   }
 
-  // With them stay all narrow faces around: half of a needle closed up is worse than all of it meshed.
+  // Keeps the narrow faces around those that stay: a needle that is closed up only in a part is worse than one that is meshed.
   void keep_refused()
   {
     std::set<std::size_t> edges;
@@ -185,7 +185,7 @@ private:
           is_any_new = true;
         }
     }
-    if(m_is_kept == before) // Others are the cause, and it is not known which.
+    if(m_is_kept == before) // the cause is unknown: no face is closed up
       m_is_kept.assign(m_is_kept.size(), true);
   }
 
@@ -196,7 +196,7 @@ private:
     });
   }
 
-  // What `test` returns; false if a curve or surface cannot be evaluated: what is wrong is told where the face is built.
+  // Returns the result of `test`, or false if a curve or surface cannot be evaluated. Building the face will report the error.
   template <class Test>
   static bool succeeds(const Test& test)
   {
@@ -224,7 +224,7 @@ private:
     }
   }
 
-  // A short edge that is not on a narrow face becomes a vertex, too, if enough is left of the wires that it is on.
+  // Replaces a short edge that is not on a narrow face by a vertex if enough is left of the wires that contain it.
   void collapse(std::size_t e)
   {
     for(std::size_t f = 0; f < m_wires.size(); ++f)
@@ -251,7 +251,7 @@ private:
     return true;
   }
 
-  // Of both sides: edges in pairs, or one that several others run along.
+  // Merges the edges of both sides: in pairs, or one edge with several others along it.
   bool merge_long_edges(std::size_t f, Edge_merging& merging, double& width) const
   {
     std::vector<Side_by_side> all = pairs_of(edges_of(f, false));
@@ -267,7 +267,7 @@ private:
     return !all.empty() || edges_of(f, false).empty();
   }
 
-  // Edges in pairs side by side, if all have a partner.
+  // The edges in pairs side by side; none if an edge has no partner.
   std::vector<Side_by_side> pairs_of(std::vector<std::size_t> edges) const
   {
     std::vector<Side_by_side> result;
@@ -318,7 +318,8 @@ private:
     return result;
   }
 
-  // The other edges of a face, from the source of the longest one to its target (or back, if it is closed).
+  // The chain of the other edges of a face from the source of the longest one to its target (or back to the source, if that is
+  // closed).
   static Edge_chain chain_of(const Edge_merging& merging, std::size_t longest, std::vector<std::size_t> others)
   {
     if(std::find(others.begin(), others.end(), longest) != others.end())
@@ -338,7 +339,7 @@ private:
     return chain;
   }
 
-  // Two edges side by side bound a narrow face, or all of a closed surface but that.
+  // Two edges side by side may also bound the rest of a closed surface, whose area is large.
   bool is_area_small(std::size_t f) const
   {
     GProp_GProps area, perimeter;
@@ -347,7 +348,7 @@ private:
     return std::fabs(area.Mass()) <= m_width * perimeter.Mass();
   }
 
-  // Whether the boundaries of all faces that are left stay such.
+  // Whether the boundaries of all remaining faces still bound them.
   bool are_neighbors_well(const Edge_merging& merging) const
   {
     for(std::size_t f = 0; f < m_wires.size(); ++f)
@@ -366,7 +367,7 @@ private:
       return true;
     if(std::all_of(wire.begin(), wire.end(), is_point))
       return false;
-    std::map<std::size_t, std::set<std::size_t>> edges; // in the place of others, with these
+    std::map<std::size_t, std::set<std::size_t>> edges; // replacements, with the edges that they replace
     for(const std::size_t e : wire)
       for(const Directed_edge& part : merging.chain(e))
         if(!is_point(e))
@@ -377,7 +378,7 @@ private:
     return true;
   }
 
-  // Whether a wire with an edge there and back has nothing else at one of its ends.
+  // Whether a wire runs along an edge and directly back.
   template <class Edges>
   bool is_spike(const Edge_merging& merging, std::size_t e, const Edges& edges) const
   {

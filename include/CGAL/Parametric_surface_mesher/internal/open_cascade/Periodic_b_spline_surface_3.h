@@ -42,7 +42,7 @@ private:
   double base_u(double u) const { return m_is_periodic_u ? base(u, m_spline.u_min(), m_spline.u_max()) : u; }
   double base_v(double v) const { return m_is_periodic_v ? base(v, m_spline.v_min(), m_spline.v_max()) : v; }
 
-  // both ends of the base period stay where they are
+  // Moves `x` into the base period; both of its ends stay where they are.
   static double base(double x, double min, double max)
   {
     return min <= x && x <= max ? x : x - std::floor((x - min) / (max - min)) * (max - min);

@@ -45,7 +45,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Builds the model of a shape, face by face; those that cannot be built are left out.
+// Builds the model of a shape face by face; faces that cannot be built are left out.
 class Shape_model_builder
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
@@ -54,8 +54,8 @@ class Shape_model_builder
   Open_cascade_model_3 m_result;
   TopTools_IndexedMapOfShape m_vertices, m_edges, m_faces;
   std::vector<double> m_vertex_tolerances;
-  std::vector<Edge_place> m_places; // of the edges of the shape
-  std::set<std::size_t> m_closed_up; // faces of the shape
+  std::vector<Edge_place> m_places; // by edge of the shape
+  std::set<std::size_t> m_closed_up; // by indices in the shape
 
 public:
   explicit Shape_model_builder(const TopoDS_Shape& shape)
@@ -70,7 +70,7 @@ public:
     m_result.diagonal = diagonal();
   }
 
-  // Faces no wider than a share of the diagonal are closed up.
+  // Closes up faces that are nowhere wider than a share of the diagonal.
   Open_cascade_model_3 operator()(const TopoDS_Shape& shape, double closed_up_width)
   {
     for(int i = 1; i <= m_vertices.Extent(); ++i)
@@ -85,9 +85,12 @@ public:
   }
 
 private:
+  // Only boxes of unbounded curves and surfaces are larger, in which some coordinates stand for infinity.
+  static constexpr double largest_squared_extent = 1e30;
+
   Model& model() { return m_result.model; }
 
-  // A face whose curves in the domain are missing may have an infinite box: then its edges must do.
+  // A face whose curves in the domain are missing may have an infinite box, which does not count.
   double diagonal() const
   {
     Bnd_Box box;
@@ -95,11 +98,11 @@ private:
       for(int i = 1; i <= shapes->Extent(); ++i) {
         Bnd_Box part;
         BRepBndLib::Add((*shapes)(i), part, false);
-        if(!part.IsVoid() && !part.IsOpen() && part.SquareExtent() < 1e30)
+        if(!part.IsVoid() && !part.IsOpen() && part.SquareExtent() < largest_squared_extent)
           box.Add(part);
       }
     if(box.IsVoid() || !(box.SquareExtent() > 0))
-      throw Parametric_surface_mesh_error("the shape has no extent");
+      throw Parametric_surface_mesh_error("the shape is empty: none of its faces and edges has a finite size above 0");
     return std::sqrt(box.SquareExtent());
   }
 
@@ -126,7 +129,7 @@ private:
     model().add_edge(std::move(result));
   }
 
-  // An edge without vertices must be a closed curve.
+  // Adds the vertex of an edge without vertices, which must be a closed curve.
   std::size_t add_vertex_on(const Model::Edge& edge)
   {
     m_vertex_tolerances.push_back(edge.tolerance);
@@ -153,7 +156,7 @@ private:
     m_vertex_tolerances[place] = (std::max)(m_vertex_tolerances[place], m_vertex_tolerances[v] + distance);
   }
 
-  // The edge in the place of others is as inexact as it is far from them.
+  // Sets the place of an edge. The tolerance of an edge that replaces others becomes the distance from them.
   void move_edge(std::size_t e, const Narrow_face_closer& closer)
   {
     Model::Edge& edge = model().edges()[e];
@@ -177,13 +180,13 @@ private:
           m_result.inner_edges.push_back({std::size_t(m_edges.FindIndex(edge.Current())) - 1, std::size_t(f) - 1});
   }
 
-  // whether an edge, as a face has it, is a part of the boundary
+  // Whether an edge, with its orientation in a face, is a part of the boundary.
   static bool is_on_boundary(const TopoDS_Shape& edge)
   {
     return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
   }
 
-  // A face that two solids share is in the shells of both.
+  // Sets the shells. A face that two solids share belongs to the shells of both.
   void add_shells(const TopoDS_Shape& shape)
   {
     std::size_t number = 0;
@@ -205,7 +208,7 @@ private:
 
   void add_shell(const TopTools_ListOfShape& faces, std::size_t shell)
   {
-    std::map<int, int> numbers_of_uses; // of edges
+    std::map<int, int> numbers_of_uses; // by edge
     for(const TopoDS_Shape& face : faces) {
       for(TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
         if(is_on_boundary(edge.Current()) && !BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
@@ -234,7 +237,7 @@ private:
     }
   }
 
-  // Where neighbours in a shell face to different sides, faces are turned. A shell that has no two sides stays as it is.
+  // Reverses faces so that neighbours in a shell face to the same side. A shell that is not orientable stays as it is.
   void orient()
   {
     if(are_oriented())

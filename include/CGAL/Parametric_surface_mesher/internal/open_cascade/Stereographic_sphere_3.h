@@ -21,8 +21,8 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 /*
-A sphere by stereographic projection from the point in the `z` direction of a frame: without seams and poles but for that
-one point, and everywhere with the same scale in all directions. With g = 2 / (1 + u^2 + v^2),
+A sphere, parametrised by stereographic projection from its point in the `z` direction of a frame. It has no seams and no poles,
+apart from that one point, and everywhere the same scale in all directions. With g = 2 / (1 + u^2 + v^2),
 
   S(u,v) = center + r (u g, v g, 1 - g).
 
@@ -65,7 +65,7 @@ public:
             vector(u * gvv, 2 * gv + v * gvv, -gvv)};
   }
 
-  // A curve in the domain of another parametrisation of the same sphere, in this domain.
+  // Converts a curve from the domain of another parametrisation of the same sphere to this domain.
   template <class Surface>
   Curve curve(const Surface& surface, const Curve& other) const
   {
@@ -74,10 +74,10 @@ public:
   }
 
 private:
-  // a point in space, or a derivative, by a curve's parameter
+  // A point of a curve in space with its derivatives.
   struct Space_jet
   {
-    Vector_3 point, first, second; // from the centre, in the coordinates of the frame, over the radius
+    Vector_3 point, first, second; // relative to the centre, in coordinates of the frame, divided by the radius
   };
 
   Vector_3 vector(double x, double y, double z) const { return m_frame.vector(m_radius * x, m_radius * y, m_radius * z); }
@@ -98,7 +98,7 @@ private:
             in_frame(u * u * s.duu + 2 * u * v * s.duv + v * v * s.dvv + c.second.x() * s.du + c.second.y() * s.dv)};
   }
 
-  // (x, y) / (1 - z)
+  // Projects to the domain: (x, y) / (1 - z).
   static typename Curve::Jet domain_jet(const Space_jet& n)
   {
     const double w = 1 / (1 - n.point.z());

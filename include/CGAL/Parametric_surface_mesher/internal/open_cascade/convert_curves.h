@@ -33,8 +33,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A range of parameters of a kernel's curve, run through from 0 to 1. All curves of an edge get these parameters, whatever
-// they have in the file.
+// Maps the range from 0 to 1 to the range of parameters of a curve of Open CASCADE. All curves of an edge get parameters from 0 to 1,
+// whatever they have in the file.
 struct Unit_range
 {
   double first, last;
@@ -59,7 +59,7 @@ Space_curve_3<Kernel> to_space_curve(const gp_Circ& circle, const Unit_range& ra
     0, 1);
 }
 
-// The curve of an edge in space, or none.
+// The curve of an edge in space; none if the edge has none.
 template <class Kernel>
 std::shared_ptr<const Space_curve_3<Kernel>> convert_space_curve(const TopoDS_Edge& edge)
 {
@@ -131,7 +131,8 @@ Domain_curve_2<Kernel> to_domain_curve(const Handle(Geom2d_Curve)& pcurve, const
     0, 1);
 }
 
-// The curve of an edge in the domain of a face, or none if the file has none. Of a seam, `edge` as oriented chooses one.
+// The curve of an edge in the domain of a face; none if the file has none. A seam has two, of which the orientation of `edge` selects
+// one.
 template <class Kernel>
 std::optional<Domain_curve_2<Kernel>> convert_domain_curve(const TopoDS_Edge& edge, const TopoDS_Face& face)
 {
@@ -142,7 +143,8 @@ std::optional<Domain_curve_2<Kernel>> convert_domain_curve(const TopoDS_Edge& ed
   return to_domain_curve<Kernel>(pcurve, range);
 }
 
-// The curve of an edge in the domain of a face, made anew by projecting its curve in space. Not for seams.
+// The curve of an edge in the domain of a face, computed by projecting its curve in space.
+// \pre the edge is no seam of the face
 template <class Kernel>
 std::optional<Domain_curve_2<Kernel>> project_domain_curve(const TopoDS_Edge& edge, const TopoDS_Face& face)
 {
@@ -158,7 +160,7 @@ std::optional<Domain_curve_2<Kernel>> project_domain_curve(const TopoDS_Edge& ed
   return to_domain_curve<Kernel>(result, range);
 }
 
-// The curve moved by `v`.
+// The curve translated by `v`.
 template <class Kernel>
 Domain_curve_2<Kernel> translated(const Domain_curve_2<Kernel>& curve, const typename Kernel::Vector_2& v)
 {

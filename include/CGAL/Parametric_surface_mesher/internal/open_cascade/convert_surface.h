@@ -60,7 +60,7 @@ Parametric_frame_3<Kernel> to_frame(const gp_Ax3& a)
                                     to_vector<Kernel>(a.YDirection().XYZ()), to_vector<Kernel>(a.Direction().XYZ()));
 }
 
-// A surface that the kernel evaluates: offset, extrusion, revolution, and what else there is.
+// A surface that Open CASCADE evaluates: offsets, extrusions, surfaces of revolution, and all others without a class of their own.
 template <class Kernel>
 class Kernel_surface_3
 {
@@ -86,7 +86,7 @@ public:
   }
 };
 
-// All surfaces that a face may have.
+// Any surface that a face of a shape may have.
 template <class Kernel>
 using Any_surface_3
   = std::variant<Parametric_plane_3<Kernel>, Parametric_cylinder_3<Kernel>, Parametric_cone_3<Kernel>,
@@ -108,7 +108,7 @@ std::vector<typename Kernel::Point_3> control_points(const TColgp_Array2OfPnt& p
   return result;
 }
 
-// empty for a polynomial surface
+// The weights, row by row; empty for a polynomial surface.
 template <class Spline>
 std::vector<double> weights(const Spline& spline)
 {
@@ -156,12 +156,14 @@ Any_surface_3<Kernel> convert_bezier(const BRepAdaptor_Surface& adaptor)
     false, false);
 }
 
-// The surface of a face: one of this package where that is the same function, else the kernel's.
+// The surface of a face: one of this package if that is the same function of its parameters, otherwise one that Open CASCADE
+// evaluates.
 template <class Kernel>
 Any_surface_3<Kernel> convert_surface(const BRepAdaptor_Surface& adaptor)
 {
-  if(std::fabs(std::fabs(adaptor.Trsf().ScaleFactor()) - 1) > 1e-12)
-    return Kernel_surface_3<Kernel>(adaptor); // a scaled plane has other parameters
+  const double rounding_of_scale = 1e-12;
+  if(std::fabs(std::fabs(adaptor.Trsf().ScaleFactor()) - 1) > rounding_of_scale)
+    return Kernel_surface_3<Kernel>(adaptor); // a scaled plane has other parameters than ours
   switch(adaptor.GetType()) {
   case GeomAbs_Plane:
     return Parametric_plane_3<Kernel>(to_frame<Kernel>(adaptor.Plane().Position()));

@@ -10,6 +10,7 @@
 
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
 #include <CGAL/Parametric_frame_3.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Stereographic_sphere_3.h>
@@ -34,17 +35,20 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Finds the point of a sphere that is farthest from a face, to project from. A face with a seam keeps its parameters: the
-// seam is as far from the rest of the boundary as the face reaches, and without it a finely divided rest would make the
-// whole face fine. But where the boundary runs through a pole those parameters are of no use.
+// Finds the point of a sphere from which a face is projected: the farthest one from the face. A face with a seam keeps the parameters
+// of the file, because the seam bounds the influence of a finely divided boundary, which otherwise would make the whole face fine;
+// unless its boundary runs through a pole, where these parameters are singular.
 class Sphere_chart_finder
 {
+  // 200 points on a sphere are about 0.25 radians apart.
   static const int number_of_candidates = 200, samples_on_edge = 16;
-  static constexpr double least_distance = 0.15, pole_distance = 1e-3; // radians
+  // In radians: the point must be so far from the face, as the projection is singular there; and a boundary so close to a pole
+  // runs through it.
+  static constexpr double least_distance = 0.15, pole_distance = 1e-3;
 
-  TopoDS_Face m_face; // oriented forward
+  TopoDS_Face m_face; // with forward orientation
   BRepAdaptor_Surface m_surface;
-  std::vector<gp_Dir> m_boundary; // from the centre
+  std::vector<gp_Dir> m_boundary; // directions from the centre
   bool m_has_seam = false, m_touches_pole = false;
 
 public:
@@ -70,17 +74,17 @@ public:
     }
     if(!(farthest > least_distance))
       return std::nullopt;
-    gp_Ax3 result(frame.Location(), best); // right-handed: the normal points inward
+    gp_Ax3 result(frame.Location(), best); // right-handed, so that the normal points inward
     if(frame.Direct())
       result.YReverse();
     return Stereographic_sphere_3<Kernel>(to_frame<Kernel>(result), m_surface.Sphere().Radius());
   }
 
 private:
-  // spread evenly over the sphere, along a spiral
+  // The candidates are spread evenly over the sphere, along a spiral.
   static gp_Pnt2d candidate(int i)
   {
-    const double golden_angle = 2.399963229728653, full_turn = 8 * std::atan(1.);
+    const double golden_angle = 2.399963229728653, full_turn = 2 * CGAL_PI;
     return gp_Pnt2d(std::fmod(i * golden_angle, full_turn), std::asin(1 - (2 * i + 1.) / number_of_candidates));
   }
 
@@ -89,7 +93,7 @@ private:
     return gp_Dir(m_surface.Value(u, v).XYZ() - m_surface.Sphere().Location().XYZ());
   }
 
-  // false if an edge has no curve in the domain, or the parameters of the file are to be kept
+  // Returns false if an edge has no curve in the domain, or if the face keeps the parameters of the file.
   bool sample_boundary()
   {
     for(TopExp_Explorer edge(m_face, TopAbs_EDGE); edge.More(); edge.Next()) {

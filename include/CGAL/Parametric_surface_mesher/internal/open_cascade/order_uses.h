@@ -14,6 +14,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
 #include <CGAL/Open_cascade_surface_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 
 #include <cmath>
 #include <cstddef>
@@ -25,7 +26,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Puts the edge uses of a wire, which a file may store in any order, one after the other.
+// Sorts the edge uses of a wire, which a file may store in any order, into loops. (ShapeAnalysis_WireOrder of Open CASCADE sorts
+// by points in space or in the domain, and knows neither vertices nor periods.)
 class Use_order
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
@@ -33,13 +35,20 @@ class Use_order
   typedef Model::Loop Loop;
   typedef Model::Geom_traits::Point_2 Point_2;
 
+  // Curves are the same if their points differ by less than 1e-6 of their size, far below any slit that bounds something.
+  static constexpr double squared_rounding = 1e-12;
+  // A distance must be smaller by this factor to change the order of the file, so that rounding cannot.
+  static constexpr double certainly_less = 0.999;
+  // Small enough for distances without periods to decide only between equal ones.
+  static constexpr double weight_of_periods = 1e-3;
+
   const Model& m_model;
   const Open_cascade_surface_3& m_surface;
 
 public:
   Use_order(const Model& model, const Open_cascade_surface_3& surface) : m_model(model), m_surface(surface) {}
 
-  // Returns closed loops: one, unless slits were removed that joined several.
+  // Returns closed loops: one, or several if these were joined by slits, which are removed.
   std::vector<Loop> operator()(Loop uses) const
   {
     remove_slits(uses);
@@ -63,7 +72,7 @@ private:
   static Point_2 begin_point(const Edge_use& use) { return use.is_reversed ? use.curve.target() : use.curve.source(); }
   static Point_2 end_point(const Edge_use& use) { return use.is_reversed ? use.curve.source() : use.curve.target(); }
 
-  // An edge that is run through there and back on the same curve bounds nothing.
+  // Removes pairs of uses that run along the same curve in opposite directions, since these bound nothing.
   static void remove_slits(Loop& uses)
   {
     for(std::size_t i = 0; i < uses.size(); ++i)
@@ -83,7 +92,7 @@ private:
     const double squared_size = squared_distance(a.curve.source(), a.curve.target())
                                 + squared_distance(a.curve.source(), a.curve.point(0.5));
     for(double t : {0., 0.5, 1.})
-      if(squared_distance(a.curve.point(t), b.curve.point(t)) > 1e-12 * squared_size)
+      if(squared_distance(a.curve.point(t), b.curve.point(t)) > squared_rounding * squared_size)
         return false;
     return true;
   }
@@ -92,7 +101,7 @@ private:
   {
     Loop loop(1, uses.front());
     uses.erase(uses.begin());
-    std::size_t place = 0; // of the use that followed the last one
+    std::size_t place = 0; // where the last use was found
     for(;;) {
       const std::size_t next = find_next(loop.back(), uses, place);
       if(next == uses.size())
@@ -102,12 +111,13 @@ private:
       place = next;
     }
     if(end_vertex(loop.back()) != begin_vertex(loop.front()))
-      throw Parametric_surface_mesh_error("a loop is open: it begins at vertex " + std::to_string(begin_vertex(loop.front()))
-                                          + " and ends at vertex " + std::to_string(end_vertex(loop.back())));
+      throw Parametric_surface_mesh_error("a loop is open: it begins at " + numbered("vertex", begin_vertex(loop.front()))
+                                          + " and ends at " + numbered("vertex", end_vertex(loop.back())));
     return loop;
   }
 
-  // The use that begins at the vertex where `use` ends, and closest to it in the domain; of several, the first from `place`.
+  // Among the uses that begin at the vertex where `use` ends, the one closest to it in the domain; of several such, the first one from
+  // `place` on.
   std::size_t find_next(const Edge_use& use, const Loop& uses, std::size_t place) const
   {
     std::size_t best = uses.size();
@@ -117,7 +127,7 @@ private:
       if(begin_vertex(uses[i]) != end_vertex(use))
         continue;
       const double d = domain_distance(end_point(use), begin_point(uses[i]));
-      if(best == uses.size() || d < 0.999 * least) {
+      if(best == uses.size() || d < certainly_less * least) {
         best = i;
         least = d;
       }
@@ -125,12 +135,12 @@ private:
     return best;
   }
 
-  // Up to whole periods; of two that are equal so, the one without periods is closer.
+  // The distance up to whole periods. Of two that are equal up to periods, the one without periods is smaller.
   double domain_distance(const Point_2& p, const Point_2& q) const
   {
     const double du = q.x() - p.x(), dv = q.y() - p.y();
     return std::fabs(remainder(du, m_surface.u_period())) + std::fabs(remainder(dv, m_surface.v_period()))
-           + 1e-3 * (std::fabs(du) + std::fabs(dv));
+           + weight_of_periods * (std::fabs(du) + std::fabs(dv));
   }
 
   static double remainder(double x, double period) { return period > 0 ? std::remainder(x, period) : x; }

@@ -64,7 +64,7 @@ public:
   explicit Exchange_unit(const std::string& unit) : m_old(Interface_Static::CVal("xstep.cascade.unit"))
   {
     if(!Interface_Static::SetCVal("xstep.cascade.unit", unit.c_str()))
-      throw Parametric_surface_mesh_error("'" + unit + "' is no unit of length that Open CASCADE knows");
+      throw Parametric_surface_mesh_error("'" + unit + "' is not a unit of length that Open CASCADE knows");
   }
   ~Exchange_unit() { Interface_Static::SetCVal("xstep.cascade.unit", m_old.c_str()); }
 };

@@ -10,6 +10,7 @@
 
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,8 +23,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Joins the parts of a mesh: which sides on their borders are opposite to each other. These edges come after those inside of
-// parts.
+// Joins the parts of a mesh by finding the sides on their borders that are opposite to each other. The edges between parts come
+// after those inside parts.
 template <class Kernel>
 class Border_edges
 {
@@ -31,11 +32,11 @@ class Border_edges
   typedef typename Mesh::Part Part;
 
 public:
-  // a side on the border of a part
+  // A side of a triangle on the border of a part.
   struct Side
   {
     std::uint32_t smaller_vertex, larger_vertex, part, side;
-    bool is_alone; // on the border of the mesh
+    bool is_alone; // whether it is on the border of the mesh
 
     bool has_vertices_of(const Side& other) const
     {
@@ -55,8 +56,8 @@ private:
   std::size_t m_number_of_edges;
 
 public:
-  // Gives the sides their halfedges; takes `n log n` for `n` sides.
-  // throws Parametric_surface_mesh_error if two run through an edge in the same direction, or an edge has three
+  // Gives the sides their halfedges, in O(n log n) time for n sides.
+  // \throws Parametric_surface_mesh_error if two sides run through an edge in the same direction, or an edge has three sides
   explicit Border_edges(Mesh& mesh) : m_mesh(mesh), m_number_of_edges(mesh.number_of_inner_edges())
   {
     for(std::size_t p = 0; p < mesh.parts.size(); ++p)
@@ -72,7 +73,7 @@ public:
         set_halfedge(m_sides[i], 2 * m_number_of_edges++);
   }
 
-  std::size_t number_of_edges() const { return m_number_of_edges; } // of the mesh
+  std::size_t number_of_edges() const { return m_number_of_edges; } // those of the whole mesh
 
   const std::vector<Side>& sides() const { return m_sides; }
 
@@ -80,10 +81,10 @@ private:
   void join(Side& a, Side& b)
   {
     if((source(a) < target(a)) == (source(b) < target(b)))
-      throw Parametric_surface_mesh_error("the mesh is not manifold: triangles " + name_of_triangle(a) + " and "
+      throw Parametric_surface_mesh_error("the mesh is not manifold: " + name_of_triangle(a) + " and "
                                           + name_of_triangle(b) + " have the same edge in the same direction");
     if(!a.is_alone)
-      throw Parametric_surface_mesh_error("the mesh is not manifold: an edge of triangle " + name_of_triangle(b)
+      throw Parametric_surface_mesh_error("the mesh is not manifold: an edge of " + name_of_triangle(b)
                                           + " is an edge of two others");
     a.is_alone = b.is_alone = false;
     set_halfedge(b, 2 * (m_number_of_edges - 1) + 1);
@@ -99,7 +100,7 @@ private:
 
   std::string name_of_triangle(const Side& side) const
   {
-    return std::to_string(m_mesh.parts[side.part].first_face + side.side / 3);
+    return numbered("triangle", m_mesh.parts[side.part].first_face + side.side / 3);
   }
 };
 

@@ -25,7 +25,7 @@ namespace internal {
 
 // A chord is an inner edge of a patch between two boundary vertices. Where patches are as narrow as their edges are long,
 // two of them (or one, across its seam) can have chords between the same two vertices, and the mesh would not be manifold.
-// So it is with an inner vertex that is joined to two copies of a vertex on a seam. The first such edge stays; others are
+// The same is true of an inner vertex that is joined to two copies of a vertex on a seam. The first such edge stays; others are
 // split in the middle.
 template <class Evaluator>
 class Chord_splitter
@@ -42,10 +42,10 @@ class Chord_splitter
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   Chords& m_chords_of_shell;
-  Chords m_chords; // of the patch
+  Chords m_chords; // those of this patch
   Vertex_insertion<Triangulation> m_insertion;
-  bool m_has_copies = false; // of vertices: else no inner vertex is joined to two of them
-  // looked up, never run through: addresses decide nothing
+  bool m_has_copies = false; // whether vertices have copies, so that an inner vertex may be joined to two of them
+  // Only looked up and never iterated over, so that addresses do not influence the mesh.
   std::map<std::pair<const void*, std::size_t>, Vertex_handle> m_spokes;
 
 public:
@@ -53,7 +53,7 @@ public:
     : m_triangulation(triangulation), m_evaluate(evaluate), m_chords_of_shell(chords), m_insertion(triangulation)
   {}
 
-  // A split flips edges around, which could repeat others.
+  // The search is repeated, since a split flips edges around the new vertex, which may create new duplicates.
   void operator()()
   {
     std::vector<Chord> repeated;
@@ -74,7 +74,7 @@ private:
     m_spokes.clear();
     std::vector<Vertex_handle> boundary;
     for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
-      if(vertex->is_on_boundary()) // of the patch, or of the part it is cut into
+      if(vertex->is_on_boundary()) // that of the patch, or of the part of it
         boundary.push_back(vertex);
     m_has_copies = have_copies(boundary);
     std::vector<Chord> result;
@@ -83,7 +83,7 @@ private:
     return result;
   }
 
-  // as on both sides of a seam
+  // Whether several vertices have the same index, as on both sides of a seam.
   static bool have_copies(const std::vector<Vertex_handle>& vertices)
   {
     std::vector<std::size_t> indices;
@@ -98,7 +98,7 @@ private:
     auto face = m_triangulation.incident_faces(vertex);
     const auto first = face;
     do {
-      const int i = Triangulation::ccw(face->index(vertex)); // its edge that ends at the vertex
+      const int i = Triangulation::ccw(face->index(vertex)); // the edge that ends at the vertex
       if(face->is_in_domain() && !face->is_constrained(i))
         collect(face->vertex(Triangulation::ccw(i)), vertex, repeated);
     } while(++face != first);
@@ -110,7 +110,7 @@ private:
       if(m_has_copies)
         collect_spoke(v, w, repeated);
     }
-    else if(v->index() <= w->index()) // it is seen from both sides: that from the smaller to the larger index counts
+    else if(v->index() <= w->index()) // each chord is visited from both sides; one of them counts
       if(v->index() == w->index() || m_chords_of_shell.count({v->index(), w->index()}) > 0
          || !m_chords.emplace(v->index(), w->index()).second)
         repeated.emplace_back(v, w);
@@ -128,7 +128,7 @@ private:
     Face_handle face;
     int i = 0;
     if(!m_triangulation.is_edge(chord.first, chord.second, face, i))
-      return; // gone with another one
+      return; // the split of another edge has removed it
     const auto middle = midpoint(chord.first->point().domain_point(), chord.second->point().domain_point());
     if(!is_inside(middle, face, i))
       return;
@@ -137,7 +137,7 @@ private:
     vertex->set_spacing(spacing);
   }
 
-  // Whether `p`, a rounded middle of edge `i`, makes four triangles of positive orientation; exact.
+  // Whether `p`, the rounded middle of edge `i`, makes four triangles of positive orientation, by exact tests.
   template <class Point_2>
   bool is_inside(const Point_2& p, Face_handle face, int i) const
   {

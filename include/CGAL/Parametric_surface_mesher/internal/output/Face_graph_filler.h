@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Writes an indexed mesh into new elements of a face graph, in linear time. A vertex that several parts share is written by
-// one thread.
+// Writes an indexed mesh into new elements of a face graph, in linear time and by several threads. (CGAL's functions that make a
+// mesh of a polygon soup use one thread and look up each edge.)
 template <class Kernel, class TriangleMesh, class Elements, class Maps>
 class Face_graph_filler
 {
@@ -97,7 +97,7 @@ private:
     }
   }
 
-  // Each vertex that parts share is the target of a side on the border of each.
+  // Sets the halfedges on borders. A vertex that parts share is the target of a side on the border of each of them.
   void connect_borders()
   {
     for(const auto& side : m_border.sides()) {
@@ -115,8 +115,8 @@ private:
         connect_border(opposite(m_elements.new_halfedge(m_from.parts[side.part].halfedge(side.side)), m_mesh));
   }
 
-  // The next border halfedge is found by turning around the target, through the triangles there: parts that touch in a
-  // vertex keep borders of their own.
+  // Finds the next border halfedge by turning around the target through the triangles there, so that parts that touch only in a
+  // vertex keep separate borders.
   void connect_border(halfedge_descriptor h)
   {
     halfedge_descriptor next_border = opposite(h, m_mesh);
@@ -137,8 +137,8 @@ void fill_face_graph(const Indexed_mesh<Kernel>& from, const Border_edges<Kernel
   filler.template fill<ConcurrencyTag>();
 }
 
-// Adds a finished mesh to a face graph: vertices and faces in their order. With threads if elements and maps allow for it.
-// throws Parametric_surface_mesh_error, before anything is added, if the triangles cannot be faces of one
+// Adds a finished mesh to a face graph, vertices and faces in their order, with threads if its elements and maps allow this.
+// \throws Parametric_surface_mesh_error, before anything is added, if the triangles are not the faces of a manifold mesh
 template <class ConcurrencyTag, class Kernel, class TriangleMesh, class Maps>
 void add_to_face_graph(Indexed_mesh<Kernel>& from, TriangleMesh& mesh, const Maps& maps)
 {

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The mesh of one or several patches before it goes to the user's data structure: points that parts share, those of each
-// part, and copies of shared ones, in this order.
+// The mesh of one or several patches before it is written to the user's data structure. Its points are, in this order, those that
+// parts share, those of each part, and copies of shared ones.
 template <class Kernel>
 struct Indexed_mesh
 {
@@ -32,20 +32,20 @@ struct Indexed_mesh
   typedef typename Kernel::Point_3 Point_3;
   typedef Partial_mesh<Kernel> Part;
 
-  std::vector<Point_3> points;        // that parts share: of the divided boundaries, and of cuts
-  std::vector<Point_2> domain_points; // of a vertex on several patches: in one of their domains
+  std::vector<Point_3> points;        // those that parts share: of divided boundaries and of cuts
+  std::vector<Point_2> domain_points; // for a vertex on several patches, in one of their domains
   std::vector<Part> parts;
-  std::vector<std::size_t> copies;    // of shared points
+  std::vector<std::size_t> copies;    // indices of the shared points that are copied
 
-  // for each shell the pairs of boundary vertices that are joined by an edge already, smaller index first
+  // The pairs of boundary vertices that are joined by an edge already, smaller index first; one set for each shell.
   typedef std::set<std::pair<std::size_t, std::size_t>> Chords;
   std::map<std::size_t, Chords> chords;
 
-  bool keeps_domain_points = false; // of inner vertices
+  bool keeps_domain_points = false; // whether inner vertices keep them
   bool keeps_corner_points = false;
 
 private:
-  std::size_t m_number_of_own_points = 0, m_number_of_faces = 0, m_number_of_edges = 0; // of the parts
+  std::size_t m_number_of_own_points = 0, m_number_of_faces = 0, m_number_of_edges = 0; // sums over all parts
 
 public:
   std::size_t number_of_points() const { return points.size() + m_number_of_own_points + copies.size(); }
@@ -63,7 +63,7 @@ public:
     parts.push_back(std::move(part));
   }
 
-  // To be called once, when all shared points and all parts are there.
+  // Gives each part its place in the mesh. Must be called once, when all shared points and all parts are known.
   template <class ConcurrencyTag>
   void finish()
   {
@@ -76,7 +76,7 @@ public:
     });
   }
 
-  // returns the index of a new copy of a shared point
+  // Adds a copy of a shared point and returns its index.
   std::size_t copy_of(std::size_t vertex)
   {
     copies.push_back(vertex);

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// New vertices, edges and faces of any face graph, by number; edge `e` has halfedges `2 e` and `2 e + 1`.
+// New vertices, edges and faces of any face graph, by index; edge `e` has the halfedges `2 e` and `2 e + 1`.
 template <class TriangleMesh>
 class Added_elements
 {
@@ -31,7 +31,7 @@ class Added_elements
 
   const TriangleMesh& m_mesh;
   std::vector<vertex_descriptor> m_vertices;
-  std::vector<halfedge_descriptor> m_halfedges; // one of each edge
+  std::vector<halfedge_descriptor> m_halfedges; // one for each edge
   std::vector<face_descriptor> m_faces;
 
 public:
@@ -65,8 +65,8 @@ private:
   }
 };
 
-// The same for a `Surface_mesh` from which nothing was removed: its new elements follow each other, and several threads may
-// write them.
+// New elements of a `Surface_mesh` from which nothing was removed: their indices are consecutive, and several threads may write
+// them.
 template <class SurfaceMesh>
 class Appended_elements
 {
@@ -83,7 +83,7 @@ public:
   {
     const size_type vertices = size_type(m_first_vertex + number_of_vertices),
                     edges = size_type(m_first_halfedge / 2 + number_of_edges), faces = size_type(m_first_face + number_of_faces);
-    mesh.reserve(vertices, edges, faces); // else arrays might double
+    mesh.reserve(vertices, edges, faces); // so that no array grows to twice the needed size
     mesh.resize(vertices, edges, faces);
   }
 

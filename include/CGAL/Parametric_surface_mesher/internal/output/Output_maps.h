@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// a property map that forgets what it is told
+// A property map that ignores all values.
 template <class Key, class Value>
 struct Ignoring_property_map
 {
@@ -29,8 +29,8 @@ struct Ignoring_property_map
   friend void put(const Ignoring_property_map&, const Key&, const Value&) {}
 };
 
-// Whether several threads may put values of different keys into a map at the same time. Of an array of bits neighbours are
-// written together.
+// Whether several threads may put values of different keys into a map at the same time. They must not for `bool`, whose maps may
+// be arrays of bits.
 template <class TriangleMesh, class Map>
 struct Is_concurrent_map : std::false_type
 {};

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Puts all points and the edges of a division into a mesh.
+// Adds all points and edges of a division to a mesh.
 // \pre the mesh is empty
 template <class Division, class Kernel>
 void append_division(const Division& division, Indexed_mesh<Kernel>& mesh)

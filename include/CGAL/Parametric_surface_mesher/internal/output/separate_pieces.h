@@ -23,33 +23,33 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Makes a mesh manifold where several pieces of it meet in a vertex: each gets a copy of its own. Triangles are of one
-// piece if they have a common edge, run through it in opposite directions, and no third triangle of their shell has it.
+// Makes a mesh manifold where several pieces of it meet in a vertex: each piece gets its own copy. Two triangles belong to the
+// same piece if they run through a common edge in opposite directions and no third triangle of their shell has it.
 template <class Kernel>
 class Piece_separator
 {
   typedef typename Indexed_mesh<Kernel>::Part Part;
   typedef typename Part::Index Index;
 
-  // a corner of a triangle at one of the vertices
+  // A corner of a triangle at one of the vertices.
   struct Corner
   {
     std::size_t part, face, number;
   };
 
   Indexed_mesh<Kernel>& m_mesh;
-  const std::vector<std::size_t>& m_shells; // of the patches
-  std::vector<Corner> m_corners;            // of one vertex
+  const std::vector<std::size_t>& m_shells; // by patch
+  std::vector<Corner> m_corners;            // those of one vertex
 
 public:
   Piece_separator(Indexed_mesh<Kernel>& mesh, const std::vector<std::size_t>& shells) : m_mesh(mesh), m_shells(shells) {}
 
-  // `vertices`: those where pieces may meet
+  // Separates the pieces at those of the given vertices where several meet.
   template <class ConcurrencyTag>
   void separate(const std::vector<std::size_t>& vertices)
   {
     const auto corners = corners_at<ConcurrencyTag>(vertices);
-    std::vector<std::pair<Corner, std::size_t>> changes; // after all, since they are found by the old indices
+    std::vector<std::pair<Corner, std::size_t>> changes; // made at the end, since the search needs the old indices
     for(const auto& vertex : corners) {
       m_corners = vertex.second;
       append_changes(vertex.first, changes);
@@ -59,14 +59,14 @@ public:
   }
 
 private:
-  // in the order of the faces
+  // Collects the corners at the vertices, in the order of the faces.
   template <class ConcurrencyTag>
   std::map<std::size_t, std::vector<Corner>> corners_at(const std::vector<std::size_t>& vertices) const
   {
     std::vector<bool> is_wanted(m_mesh.points.size(), false);
     for(std::size_t v : vertices)
       is_wanted[v] = true;
-    std::vector<std::vector<Corner>> corners(m_mesh.parts.size()); // of each part
+    std::vector<std::vector<Corner>> corners(m_mesh.parts.size()); // by part
     for_each_index<ConcurrencyTag>(corners.size(), [&](std::size_t p) {
       const auto& faces = m_mesh.parts[p].faces;
       for(std::size_t f = 0; f < faces.size(); ++f)
@@ -90,7 +90,7 @@ private:
     for(const auto& side : sides())
       if(side.second[0].size() == 1 && side.second[1].size() == 1)
         pieces.union_set(side.second[0][0], side.second[1][0]);
-    std::map<std::size_t, std::size_t> copies; // of representatives
+    std::map<std::size_t, std::size_t> copies; // by representative
     for(std::size_t i = 0; i < m_corners.size(); ++i) {
       const std::size_t piece = pieces.find_set(i);
       if(copies.count(piece) == 0)
@@ -100,7 +100,8 @@ private:
     }
   }
 
-  // by shell and the vertex at the other end: the corners that have the edge behind them, and before them
+  // For each edge at the vertex, by shell and by the vertex at its other end: the corners whose triangle runs along the edge away
+  // from the vertex, and those whose triangle runs back to it.
   std::map<std::pair<std::size_t, std::size_t>, std::array<std::vector<std::size_t>, 2>> sides() const
   {
     std::map<std::pair<std::size_t, std::size_t>, std::array<std::vector<std::size_t>, 2>> result;

@@ -26,13 +26,13 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 /*
-The strips along the cuts between the meshed parts of a patch, one for each seam: all triangles within some rings around its
-points, which leave the parts. In a strip the points of the cut are inner vertices, as others; fixed are the boundary and the
-border, vertices that a strip shares with a part or another strip. Smoothing leaves those beside the border where they are.
-Where a point of a cut lies on such a border it stays one of those that are fixed.
+The strips along the cuts between the meshed parts of a patch: all triangles within some rings around the points of a cut, which
+leave the parts. In a strip the points of the cut are inner vertices like others. What is fixed are the boundary of the patch and
+the *border*: vertices that a strip shares with a part or with another strip, including points of cuts that lie there. Smoothing
+does not move vertices beside the border.
 
-The order of the work: `take_out()` for each part, at the same time if wanted; `connect()`; `triangulate()` for each
-strip, at the same time if wanted; `close()` for each part.
+The functions must be called in this order: `take_out()` for each part, by several threads if wanted; `connect()`;
+`triangulate()` for each strip, by several threads if wanted; `close()` for each part.
 */
 template <class Kernel>
 class Cut_strips
@@ -46,13 +46,14 @@ private:
   typedef typename Triangulation::Point Point;
   typedef Strip_triangulation<Kernel> Strip_maker;
 
+  // So many rings of triangles on either side of a cut are refined and smoothed anew, which removes its trace from the angles.
   static const int number_of_rings = 4;
 
-  // a triangle that has left its part
+  // A triangle that has left its part.
   struct Taken
   {
     Face_handle face;
-    std::size_t strip, number; // in the strip
+    std::size_t strip, number; // the strip, and the index of the triangle in it
   };
 
   struct Side
@@ -62,16 +63,16 @@ private:
     int i;
   };
 
-  typedef std::map<std::pair<std::size_t, std::size_t>, std::vector<Side>> Sides; // of the edges of cuts, by their indices
+  typedef std::map<std::pair<std::size_t, std::size_t>, std::vector<Side>> Sides; // the sides along each edge of a cut, by its vertices
 
   const Patch_parts<Kernel>& m_parts;
-  std::vector<Triangulation*> m_triangulations; // of the parts
-  std::vector<std::vector<Taken>> m_taken;       // from the parts
+  std::vector<Triangulation*> m_triangulations; // by part
+  std::vector<std::vector<Taken>> m_taken;       // by part
   std::vector<std::vector<std::pair<std::size_t, Face_handle>>> m_strips; // part and face of each triangle
   Sides m_sides;
-  std::unordered_map<const void*, const void*> m_copies; // of vertices; looked up only
-  std::vector<bool> m_is_on_border; // of the points of cuts
-  std::vector<Point> m_border;      // by index, from the first index on; of points of cuts only those on the border
+  std::unordered_map<const void*, const void*> m_copies; // of vertices; never iterated over
+  std::vector<bool> m_is_on_border; // by point of a cut
+  std::vector<Point> m_border;      // by index less the first one; points of cuts inside strips are not set
 
 public:
   Cut_strips(const Patch_parts<Kernel>& parts, std::vector<Triangulation*> triangulations)
@@ -79,7 +80,8 @@ public:
       m_strips(parts.number_of_seams()), m_is_on_border(parts.number_of_cut_points(), false)
   {}
 
-  // the numbers of triangles of the strips, once they are connected
+  // The numbers of triangles of the strips.
+  // \pre `connect()` was called
   std::vector<double> sizes() const
   {
     std::vector<double> result;
@@ -88,12 +90,12 @@ public:
     return result;
   }
 
-  // ring by ring; a triangle belongs to the seam that it is reached from first
+  // Takes triangles out of a part, ring by ring; a triangle belongs to the strip from which it is reached first.
   void take_out(std::size_t part)
   {
     Triangulation& triangulation = *m_triangulations[part];
-    std::vector<std::pair<Vertex_handle, std::size_t>> ring, next; // with seams
-    std::unordered_set<Vertex_handle> is_reached;                  // looked up only
+    std::vector<std::pair<Vertex_handle, std::size_t>> ring, next; // with their strips
+    std::unordered_set<Vertex_handle> is_reached;                  // never iterated over
     for(Vertex_handle vertex : triangulation.finite_vertex_handles())
       if(is_of_cut(vertex)) {
         ring.emplace_back(vertex, m_parts.seam(vertex->index() - m_parts.first_index()));
@@ -153,8 +155,8 @@ public:
     return make.number_of_vertices_on_boundary();
   }
 
-  // Leaves a part with its triangles that are in no strip, and the border as their boundary. Returns how many inner vertices
-  // it loses.
+  // Reduces a part to its triangles that are in no strip, with the border as their boundary. Returns the number of inner vertices
+  // that the part loses.
   std::size_t close(std::size_t part)
   {
     std::size_t result = 0;
@@ -169,10 +171,10 @@ public:
     return result;
   }
 
-  // The vertices on the border, by their indices less the first one.
+  // The points on the border, by index less the first one.
   const std::vector<Point>& border() const { return m_border; }
 
-  // Whether the point with this number is on the border. Others are points of cuts that have become inner vertices.
+  // Whether this point is on the border. Others are points of cuts that have become inner vertices.
   bool is_on_border(std::size_t i) const { return i >= m_is_on_border.size() || m_is_on_border[i]; }
 
 private:
@@ -186,7 +188,7 @@ private:
     return std::minmax<std::size_t>({face->vertex((i + 1) % 3)->index(), face->vertex((i + 2) % 3)->index()});
   }
 
-  // Where a cut ends on the boundary, the vertex is in two parts at least.
+  // Finds the copies of vertices where cuts end on the boundary: such a vertex is in at least two parts.
   void find_copies()
   {
     for(const auto& edge : m_sides)
@@ -211,13 +213,13 @@ private:
     return result;
   }
 
-  // of the patch
+  // Whether edge `i` is on the boundary of the patch.
   bool is_on_boundary(Face_handle face, int i) const
   {
     return face->is_constrained(i) && ends(face, i).second < m_parts.first_index();
   }
 
-  // the number in its strip of the triangle across an edge, or -1 if that is not in the strip
+  // The index in its strip of the triangle across an edge, or -1 if that is not in the strip.
   std::ptrdiff_t neighbor(std::size_t part, const Taken& taken, int i) const
   {
     Side across{part, taken.face->neighbor(i), 0};
@@ -240,7 +242,7 @@ private:
     if(is_of_cut(vertex))
       m_is_on_border[vertex->index() - m_parts.first_index()] = true;
     else if(!vertex->is_on_boundary())
-      vertex->set_index(no_vertex_index); // it gets one in `number_border()`
+      vertex->set_index(no_vertex_index); // `number_border()` gives it one
   }
 
   void number_border()
@@ -259,8 +261,8 @@ private:
         }
   }
 
-  // Triangles that have a vertex on the border, which is jagged, are good as they came out of their parts; once smoothing
-  // has moved their inner vertices a few cannot be repaired.
+  // The border is jagged. Triangles with a vertex on it are good when they leave their parts, but if smoothing moved their inner
+  // vertices, a few could not be repaired.
   void keep_beside_border(Triangulation& triangulation) const
   {
     for(Face_handle face : triangulation.finite_face_handles())
@@ -271,7 +273,7 @@ private:
         }
   }
 
-  // Of several copies of a point of a cut, one in each part, the first one stands for all.
+  // A point of a cut has a copy in each part; the first one stands for all of them.
   Vertex_handle add_vertex(Vertex_handle vertex, Strip_maker& make) const
   {
     if(!is_of_cut(vertex))

@@ -20,19 +20,20 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Tells whether points are inside a loop, roughly: on the loop itself either answer is possible.
+// Tells whether points are inside a loop; for points on the loop either answer is possible. Locating points in the triangulation of
+// the sketch would not do, since it knows nothing of cuts; CGAL's bounded_side_2() looks at all edges for each point.
 template <class Kernel>
 class Loop_inside
 {
   typedef typename Kernel::Point_2 Point_2;
 
   const std::vector<Region_node<Kernel>>& m_loop;
-  double m_first, m_width;          // of the slices, by the second coordinate
-  std::vector<std::size_t> m_edges; // that meet each slice, slice by slice
-  std::vector<std::size_t> m_ends;  // of the slices, among these
+  double m_first, m_width;          // where the first slice begins, and how wide slices are, in the second coordinate
+  std::vector<std::size_t> m_edges; // those that meet each slice, slice by slice
+  std::vector<std::size_t> m_ends;  // where each slice ends among these
 
 public:
-  // An edge meets two slices in the mean, so this takes linear time.
+  // Takes linear time, since an edge meets two slices on average.
   explicit Loop_inside(const std::vector<Region_node<Kernel>>& loop) : m_loop(loop)
   {
     const auto ends = std::minmax_element(loop.begin(), loop.end(), [](const auto& a, const auto& b) {
@@ -40,7 +41,7 @@ public:
     });
     m_first = ends.first->domain_point.y();
     const double height = ends.second->domain_point.y() - m_first;
-    double way = 0; // up and down
+    double way = 0; // the total way up and down
     for(std::size_t i = 0; i < loop.size(); ++i)
       way += std::fabs(target(i).y() - loop[i].domain_point.y());
     m_ends.resize(2 + std::size_t(way > 0 ? height / way * double(loop.size()) : 0), 0);

@@ -25,11 +25,12 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 /*
-The parts of a patch with more triangles than it may have: it is cut in two, and so are its parts, until none has more than
-half as many or a fiftieth of the patch, or no good cut is found. Depends on the input alone.
+The parts of a patch that would have more triangles than a patch may have. The patch is cut in two, and so are its parts, until
+each has at most half of that number or a fiftieth of the patch, or until no good cut is found. The result depends on the input
+alone, and not on the number of threads.
 
-Points of cuts have indices from `first_index()` on. Each belongs to a seam, where the trace of the cut will be removed: that
-of its cut or, close to where cuts meet, that of the meeting point.
+Points of cuts have indices from `first_index()` on. Each belongs to a strip, in which the trace of the cut will be removed: the
+strip of its cut or, close to where cuts meet, that of the meeting point.
 */
 template <class Kernel>
 class Patch_parts
@@ -39,13 +40,17 @@ class Patch_parts
   typedef std::vector<std::size_t> Chain; // indices of nodes
 
   static const std::size_t no_seam = std::size_t(-1);
-  static constexpr double share_of_part = 0.5;         // of what a patch may have: it suits caches
-  static constexpr double least_share_of_patch = 0.02; // more parts take longer to join than caches save
-  static const std::size_t reach_of_meeting_point = 8; // along the cuts, in edges
+  // The largest part, as a share of the largest patch that is not split: 50 000 triangles fit into the caches of most processors.
+  static constexpr double share_of_part = 0.5;
+  // The largest part is at least this share of the patch: with more parts, joining them takes longer than caches save.
+  static constexpr double least_share_of_patch = 0.02;
+  // How far the strip of a meeting point reaches along the cuts, in edges: twice the rings of a strip, so that the strips of its
+  // cuts do not meet.
+  static const std::size_t reach_of_meeting_point = 8;
 
   std::size_t m_first_index = 0, m_number_of_seams = 0;
   std::vector<Region> m_regions;
-  std::vector<std::size_t> m_seams; // of the points of cuts
+  std::vector<std::size_t> m_seams; // by point of a cut
   std::vector<Chain> m_chains;
 
 public:
@@ -79,7 +84,7 @@ public:
   std::size_t number_of_cut_points() const { return m_seams.size(); }
   std::size_t number_of_seams() const { return m_number_of_seams; }
 
-  // of the point of a cut with number `i`, which is its index less the first one
+  // The strip of the point of a cut with index `first_index() + i`.
   std::size_t seam(std::size_t i) const { return m_seams[i]; }
 
 private:
@@ -118,11 +123,11 @@ private:
 
   bool is_of_cut(std::size_t index) const { return index >= m_first_index; }
 
-  // At first each chain is a seam. Where one ends on another, a seam of its own lies around.
+  // First each chain has one strip. Then each point where a chain ends on another one gets a strip around it.
   void find_seams()
   {
     const std::size_t n = m_chains.size();
-    const std::vector<std::size_t> chains = m_seams; // of the points
+    const std::vector<std::size_t> chains = m_seams; // by point
     m_number_of_seams = n;
     for(std::size_t c = 0; c < n; ++c) {
       Chain chain = m_chains[c];

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A point of the boundary of a region, with its tensor.
+// A point of the boundary of a region, with its metric tensor.
 template <class Kernel>
 struct Region_node
   : Boundary_vertex<Kernel>
@@ -44,8 +44,8 @@ double signed_area(const std::vector<Region_node<Kernel>>& loop)
   return sum;
 }
 
-// A patch, or what cuts have left of it: its boundary, the domain to the left, outer loop first, and the cells of the
-// sketch.
+// A patch or, after cuts, a part of it: its boundary, with the domain to the left and the outer loop first, and the cells of the
+// sketch inside.
 template <class Kernel>
 struct Patch_region
 {
@@ -71,13 +71,13 @@ struct Patch_region
   }
 };
 
-// A place on the boundary of a region.
+// A node of the boundary of a region.
 struct Region_place
 {
   std::size_t loop, number;
 };
 
-// Polylines through a region, each from one place on its boundary to another; both ends included.
+// Polylines through a region, each from one node of its boundary to another, both included.
 template <class Kernel>
 struct Region_cut
 {

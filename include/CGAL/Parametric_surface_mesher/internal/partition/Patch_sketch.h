@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The criteria of a mesh with triangles `coarseness()` times as long as wanted, whatever their shape.
+// The criteria of a mesh with triangles `coarseness()` times as large as wanted, of any shape.
 class Sketch_criteria
   : public Parametric_surface_mesh_criteria
 {
@@ -44,7 +44,7 @@ public:
   class Is_bad
   {
     const Oracle& m_oracle;
-    double m_squared_factor; // of the sum of the spacings
+    double m_squared_factor; // (R / sum of spacings)^2 of the largest triangles allowed: an equilateral one has R = edge / sqrt(3)
 
   public:
     typedef Parametric_surface_mesh_criteria::Quality Quality;
@@ -69,7 +69,7 @@ public:
   }
 };
 
-// A part of a sketch, with the number of triangles that a mesh will have there.
+// A triangle of a sketch, with the number of triangles that a mesh will have there.
 template <class Kernel>
 struct Sketch_cell
 {
@@ -96,11 +96,11 @@ private:
   Sketch_criteria m_criteria;
   Parametric_surface_mesh_visitor m_visitor;
   Triangulation m_triangulation;
-  std::size_t m_number_of_replaced_tensors = 0; // of the boundary
+  std::size_t m_number_of_replaced_tensors = 0; // those of boundary vertices
   mutable Face_handle m_hint;
 
 public:
-  // \pre no segments of the loops cross
+  // \pre the segments of the loops do not cross
   Patch_sketch(const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria,
                const Boundary_loops<Kernel>& loops, double coarseness)
     : m_evaluate(evaluate), m_criteria(criteria, coarseness)
@@ -114,7 +114,7 @@ public:
     refine();
   }
 
-  // it refers to itself
+  // A copy would refer to members of the original.
   Patch_sketch(const Patch_sketch&) = delete;
   Patch_sketch& operator=(const Patch_sketch&) = delete;
 
@@ -129,7 +129,7 @@ public:
     return result;
   }
 
-  // The spacing at a point of the patch; 0 if it is not found. It is faster for points that follow each other closely.
+  // The spacing at a point of the patch; 0 if the point is not found. Searches are faster if successive points are close together.
   double spacing(const Point_2& p) const
   {
     Location location{Location::LOST, m_hint, -1};
@@ -144,7 +144,7 @@ public:
   }
 
 private:
-  // as many equilateral triangles of the wanted size as have its area
+  // A cell counts as many triangles as equilateral ones of the wanted size have its area.
   Cell cell(Face_handle face) const
   {
     const Point_2 &p = face->vertex(0)->point().domain_point(), &q = face->vertex(1)->point().domain_point(),
@@ -157,7 +157,8 @@ private:
       tensor = tensor + (1. / 3) * m;
       density += std::sqrt(m.determinant()) / square(face->vertex(i)->spacing()) / 3;
     }
-    const double size = m_criteria.size_factor() / 0.28;
+    const double size_factor_of_wanted_edges = 0.28; // with this factor edges have the length of the spacing in the mean
+    const double size = m_criteria.size_factor() / size_factor_of_wanted_edges;
     return {centroid(p, q, r), tensor, domain_area * density * 4 / std::sqrt(3.) / (size * size)};
   }
 

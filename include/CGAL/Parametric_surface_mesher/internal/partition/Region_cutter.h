@@ -27,10 +27,10 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 /*
-Finds where to cut a region in two. Straight lines of the domain are tried in several directions, each so that about half of
-the triangles are on either side. What of a line is inside, its ends moved to the nearest nodes of the boundary, is a cut if
-it leaves the boundary at good angles and stays clear of it; the shortest is taken, by the balance of what it leaves. It is
-divided as the spacing of the sketch wants.
+Finds where to cut a region in two. Straight lines of the domain are tried in several directions, with about half of the
+triangles on either side. The part of a line inside the region, its ends moved to the nearest nodes of the boundary, is a cut if
+it leaves the boundary at good angles and keeps a distance from it. The shortest cut is taken, where lengths are increased for
+cuts into parts of unequal size. It is divided by the spacing of the sketch.
 */
 template <class Evaluator>
 class Region_cutter
@@ -47,19 +47,36 @@ private:
   typedef typename Kernel::Segment_2 Segment_2;
   typedef typename Kernel::Vector_2 Vector_2;
 
+  // Lines are tried every 15 degrees, and the best candidates only are divided, which costs evaluations of the surface.
   static const int number_of_directions = 12;
   static const int max_number_of_attempts = 20;
+  // The triangles to the left of a line, as shares of all, in the order in which they are tried. Parts of a third and two thirds
+  // are the most unequal that are worth a cut.
+  static constexpr double shares_to_the_left[] = {0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66};
+  // Resolution with which the triangles on both sides of a line are balanced.
   static const int number_of_slices = 512;
-  static constexpr double smallest_cosine = 0.64; // of the angle with the perpendicular of the boundary: 50 degrees are left
-  static constexpr double smallest_clearance = 0.7; // by the spacing
+  // Of the angle between a cut and the perpendicular of the boundary: the cut and the boundary enclose at least
+  // 50 degrees.
+  static constexpr double smallest_cosine = 0.64;
+  // A squared cosine of the angle between a cut and the boundary: above, that is below 60 degrees, the triangles at the end are worse
+  // and the cut counts as longer by the factor below.
+  static constexpr double squared_cosine_of_good_angle = 0.25, factor_of_bad_angle = 1.3;
+  // The smallest distance between a cut and the boundary, in spacings.
+  static constexpr double smallest_clearance = 0.7;
+  // Cuts of fewer pieces cross narrow places, where the boundary leaves no room for good triangles on both sides.
   static constexpr std::size_t least_number_of_pieces = 6;
+  // In edges along the boundary: cuts do not end so close to a pole.
   static constexpr std::size_t reach_of_pole = 20;
+  // The number of equidistant points with which the length of a cut in spacings is integrated: at first; least and most afterwards,
+  // when twice as many as there will be pieces are taken.
+  static constexpr std::size_t first_number_of_samples = 16;
+  static constexpr double least_number_of_samples = 64, most_samples = 1e6;
 
-  // the line a x + b y = offset
+  // The line a x + b y = offset.
   struct Line
   {
     double a, b, offset = 0;
-    double width = 0; // of the region, across the line
+    double width = 0; // the extent of the region across the line
 
     double operator()(const Point_2& p) const { return a * p.x() + b * p.y() - offset; }
     double along(const Point_2& p) const { return a * p.y() - b * p.x(); }
@@ -78,7 +95,7 @@ public:
   Region_cutter(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch) : m_evaluate(evaluate), m_sketch(sketch)
   {}
 
-  // No chains if there is no good cut. The index of their inner nodes is not set.
+  // The cut; it has no chains if there is no good one. The indices of their inner nodes are not set.
   Cut operator()(const Region& region) const
   {
     std::vector<Candidate> candidates = all_candidates(region);
@@ -106,7 +123,7 @@ private:
     for(const auto& cell : region.cells)
       mean = mean + (cell.weight / weight) * cell.tensor;
     std::vector<Candidate> result;
-    // directions that are equally far apart in the mean metric, by its Cholesky factor
+    // the directions are equally far apart in the mean metric: the factor is that of Cholesky
     const double l0 = std::sqrt(mean.e()), l1 = mean.f() / l0, l2 = std::sqrt(mean.g() - l1 * l1);
     for(int k = 0; k < number_of_directions; ++k) {
       const double angle = k * CGAL_PI / number_of_directions, c = std::cos(angle), s = std::sin(angle);
@@ -120,7 +137,7 @@ private:
     const std::vector<double> weights = weights_across(region, line);
     const double total = std::accumulate(weights.begin(), weights.end(), 0.);
     const double first = line.offset, width = line.width / number_of_slices;
-    for(double share : {0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66}) {
+    for(double share : shares_to_the_left) {
       double sum = 0;
       std::size_t i = 0;
       for(; i + 1 < weights.size() && sum + weights[i] < share * total; ++i)
@@ -134,7 +151,7 @@ private:
     }
   }
 
-  // of slices along the line, from its offset on; sets offset and width
+  // The weights of slices along the line. Sets the offset of the line, to that of the first slice, and the width.
   static std::vector<double> weights_across(const Region& region, Line& line)
   {
     double smallest = line(region.loops[0][0].domain_point), largest = smallest;
@@ -152,7 +169,7 @@ private:
     return result;
   }
 
-  // what of the line is inside; the score is its length, more if an angle with the boundary is not good
+  // Finds what of the line is inside the region. The score is its length, increased for bad angles with the boundary.
   bool find_ends(const Region& region, const Metric_tensor_2& mean, const Line& line, Candidate& candidate) const
   {
     std::vector<std::pair<double, Region_place>> crossings;
@@ -181,13 +198,13 @@ private:
       if(largest > square(smallest_cosine))
         return false;
       const auto d = node(region, target).domain_point - node(region, source).domain_point;
-      candidate.score += std::sqrt(mean.squared_length(d.x(), d.y())) * (largest > 0.25 ? 1.3 : 1);
+      candidate.score += std::sqrt(mean.squared_length(d.x(), d.y())) * (largest > squared_cosine_of_good_angle ? factor_of_bad_angle : 1);
       candidate.ends.emplace_back(source, target);
     }
     return true;
   }
 
-  // The triangles around a pole are laid with care, and stay. Counts edges along the boundary.
+  // Whether a node is so close to a pole that a cut would disturb the ring of triangles around it.
   bool is_close_to_pole(const Region& region, const Region_place& place) const
   {
     const auto& chart = m_evaluate.oracle().surface().chart();
@@ -200,8 +217,8 @@ private:
 
   static double cross(const Vector_2& a, const Vector_2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-  // The larger squared cosine of the angles between the way from a place to `p` and the edges of the boundary there; 1 if
-  // that way does not lead inside.
+  // The larger one of the squared cosines of the two angles between the segment from a node to `p` and the edges of the boundary
+  // at the node; 1 if that segment does not lead inside.
   static double squared_cosine(const Region& region, const Region_place& place, const Point_2& p)
   {
     const auto& loop = region.loops[place.loop];
@@ -221,7 +238,7 @@ private:
     return is_inside ? result : 1;
   }
 
-  // Divides a segment: each piece as long as the spacing there. Returns false if that cannot be, or makes but few pieces.
+  // Divides a segment into pieces as long as the spacing. Returns false if this is impossible or makes too few pieces.
   bool append_chain(const Region& region, const Region_place& source, const Region_place& target, Cut& cut) const
   {
     const Node &from = node(region, source), &to = node(region, target);
@@ -246,10 +263,10 @@ private:
     return true;
   }
 
-  // From `p` to equidistant points on the way to `q`, in units of the spacing; none if it leaves the patch.
+  // The lengths, in spacings, from `p` to equidistant points on the way to `q`; none if the way leaves the patch.
   std::vector<double> lengths_along(const Point_2& p, const Point_2& q) const
   {
-    std::size_t n = 16;
+    std::size_t n = first_number_of_samples;
     std::vector<double> result;
     for(int pass = 0; pass < 2; ++pass) {
       result.assign(1, 0.);
@@ -261,12 +278,12 @@ private:
         result.push_back(result.back() + 0.5 * (previous + next) / double(n));
         previous = next;
       }
-      n = std::size_t((std::min)((std::max)(2 * result.back(), 64.), 1e6));
+      n = std::size_t((std::min)((std::max)(2 * result.back(), double(least_number_of_samples)), double(most_samples)));
     }
     return result;
   }
 
-  // the length of `d` at `p` by the spacing
+  // The length of the vector `d` at `p`, in spacings.
   double density(const Point_2& p, const Vector_2& d) const
   {
     const double spacing = m_sketch.spacing(p);
@@ -277,7 +294,7 @@ private:
            / (std::min)(spacing, m_evaluate.spacing_limit(position));
   }
 
-  // Whether the cut keeps away from the boundary, and its chains from each other.
+  // Whether the cut keeps its distance from the boundary, and its chains have no common end.
   static bool is_clear(const Region& region, const Cut& cut)
   {
     for(const Chain& chain : cut.chains) {
@@ -300,7 +317,7 @@ private:
     return are_one(chain.source, place) || are_one(chain.target, place);
   }
 
-  // in the domain
+  // The largest distance, in the domain, that a point of the chain must keep.
   static double largest_clearance(const Chain& chain)
   {
     double squared = 0;
@@ -309,14 +326,14 @@ private:
     return std::sqrt(squared);
   }
 
-  // in space
+  // The squared distance, in space, that node `k` must keep.
   static double squared_clearance(const Chain& chain, std::size_t k)
   {
     const auto step = chain.nodes[k + 1].domain_point - chain.nodes[k].domain_point;
     return square(smallest_clearance) * chain.nodes[k].tensor.squared_length(step.x(), step.y());
   }
 
-  // `reach`: from the line of the chain no point farther away in the domain is too close
+  // Whether a node of the boundary keeps its distance. Nodes farther than `reach` from the line of the chain always do.
   static bool is_clear(const Region& region, const Region_place& place, const Chain& chain, double reach)
   {
     const Region_place next{place.loop, (place.number + 1) % region.loops[place.loop].size()};

@@ -22,8 +22,8 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 /*
-Takes a region apart at a cut: the edges of its boundary and both directions of the cut's are run through with the nearest
-edge to the left next, and the loops that arise that way bound the parts.
+Divides a region at a cut. The directed edges of the boundary, and those of the cut in both directions, are followed by always
+taking the next edge on the left; the loops that result bound the parts.
 */
 template <class Kernel>
 class Region_division
@@ -35,7 +35,7 @@ class Region_division
 
   const Region& m_region;
   std::vector<const Node*> m_nodes;
-  std::vector<std::vector<std::size_t>> m_targets; // of the edges from each node
+  std::vector<std::vector<std::size_t>> m_targets; // of the edges that begin at each node
 
 public:
   Region_division(const Region& region, const Region_cut<Kernel>& cut) : m_region(region)
@@ -59,7 +59,7 @@ public:
     for(Loop& loop : trace_loops())
       if(signed_area(loop) > 0) {
         result.emplace_back();
-        result.back().loops.reserve(1 + m_region.loops.size()); // they stay where they are
+        result.back().loops.reserve(1 + m_region.loops.size()); // Loop_inside refers to the loops
         result.back().loops.push_back(std::move(loop));
       }
       else
@@ -67,7 +67,7 @@ public:
     std::vector<Loop_inside<Kernel>> is_inside;
     for(const Region& part : result)
       is_inside.emplace_back(part.loops.front());
-    const auto part_with = [&](const Point_2& p) -> Region& { // if none is found, it is the last one
+    const auto part_with = [&](const Point_2& p) -> Region& { // the last one if no other contains the point
       std::size_t i = 0;
       while(i + 1 < result.size() && !is_inside[i](p))
         ++i;
@@ -119,10 +119,10 @@ private:
     return result;
   }
 
-  // of the edges from `here`, for who comes from `before`: the first clockwise from where that is
+  // The target of the edge from `here` that is next on the left when coming from `before`: the first one clockwise from there.
   std::size_t leftmost(std::size_t before, std::size_t here) const
   {
-    if(m_targets[here].size() == 1) // as nearly everywhere: no angles are needed
+    if(m_targets[here].size() == 1) // nearly everywhere there is only one
       return 0;
     const double back = direction(here, before);
     std::size_t result = 0;

@@ -19,9 +19,9 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 /*
-Makes a triangulation of triangles that are given with their neighbours. Their outer edges become constraints, with infinite
-faces behind them. So all that goes through inner vertices and edges that are not constrained works on it, as smoothing and
-refinement do; it does not fill its convex hull, and points cannot be located from outside.
+Makes a triangulation of triangles that are given with their neighbours. Their outer edges become constraints with infinite faces
+behind them, so the result does not fill its convex hull. Smoothing and refinement work on it, since they cross no constraints;
+points cannot be located from outside.
 */
 template <class Kernel>
 class Strip_triangulation
@@ -32,7 +32,7 @@ class Strip_triangulation
   typedef typename Triangulation::Vertex_handle Vertex_handle;
 
   Triangulation& m_triangulation;
-  std::unordered_map<const void*, Vertex_handle> m_vertices; // looked up only
+  std::unordered_map<const void*, Vertex_handle> m_vertices; // never iterated over
   std::vector<Face_handle> m_faces, m_outer_faces;
   std::size_t m_number_of_vertices_on_boundary = 0;
 
@@ -46,7 +46,7 @@ public:
     m_vertices.reserve(number_of_faces);
   }
 
-  // The vertex with this key; if there is none yet it becomes as `other`.
+  // The vertex with this key; a new one is a copy of `other`.
   Vertex_handle vertex(const void* key, const Vertex& other, bool is_on_boundary)
   {
     Vertex_handle& result = m_vertices[key];
@@ -64,7 +64,7 @@ public:
 
   std::size_t number_of_vertices_on_boundary() const { return m_number_of_vertices_on_boundary; }
 
-  // `corner(i)`: its vertex `i`
+  // Sets the vertices of a face; `corner(i)` is its vertex `i`.
   template <class Corner>
   void add_face(const Corner& corner)
   {
@@ -76,7 +76,7 @@ public:
     m_faces.push_back(face);
   }
 
-  // the face across edge `i` of face `k`; there is none if `across` is negative
+  // Sets the face across edge `i` of face `k`; there is none if `across` is negative.
   void set_neighbor(std::size_t k, int i, std::ptrdiff_t across)
   {
     const Face_handle face = m_faces[k];
@@ -92,10 +92,10 @@ public:
     m_outer_faces.push_back(outer);
   }
 
-  // to be called when all neighbours are set: joins the infinite faces
+  // Joins the infinite faces. Must be called when all neighbours are set.
   void close()
   {
-    std::unordered_map<const void*, std::vector<Face_handle>> from_vertex; // of infinite faces: those whose edge ends there
+    std::unordered_map<const void*, std::vector<Face_handle>> from_vertex; // the infinite faces whose edge ends at a vertex
     for(Face_handle outer : m_outer_faces)
       from_vertex[&*outer->vertex(1)].push_back(outer);
     for(Face_handle outer : m_outer_faces) {

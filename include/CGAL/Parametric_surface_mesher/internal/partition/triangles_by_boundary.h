@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The area in the domain that a loop encloses.
+// The area of the domain that a loop encloses.
 template <class Kernel>
 double area_inside(const std::vector<Boundary_vertex<Kernel>>& loop)
 {
@@ -32,8 +32,8 @@ double area_inside(const std::vector<Boundary_vertex<Kernel>>& loop)
   return 0.5 * std::fabs(sum);
 }
 
-// How many equilateral triangles a patch has room for if those inside are as those at its boundary: area and size are taken
-// from the mean over the vertices of the boundary. Most often too many, as these are dense where triangles are small.
+// The number of equilateral triangles that a patch has room for if those inside have the size of those at its boundary. Area and
+// size are means over the boundary vertices. This is usually an overestimate, as vertices are dense where triangles are small.
 template <class Oracle>
 double number_of_triangles_by_boundary(const Oracle& oracle, const Boundary_loops<typename Oracle::Geom_traits>& loops)
 {

@@ -24,8 +24,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The sum of four numbers that does not depend on their order, to the last bit:
-// rounding is fixed by adding in ascending order.
+// The sum of four numbers, added in ascending order, so that not even its rounding depends on their order.
 inline double sum_in_sorted_order(double a, double b, double c, double d)
 {
   if(b < a) std::swap(a, b);

@@ -14,11 +14,11 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The value that a costly function had at the last point it was asked for.
+// Remembers the value of a costly function at the last point at which it was evaluated.
 template <class Point_2, class Value>
 class Last_value
 {
-  Point_2 m_point = Point_2(std::numeric_limits<double>::quiet_NaN(), 0); // no point is equal to it
+  Point_2 m_point = Point_2(std::numeric_limits<double>::quiet_NaN(), 0); // not equal to any point
   Value m_value;
 
 public:

@@ -14,7 +14,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The time of a clock that is cheap to ask: those of processor times take a system call, and small patches have many phases.
+// The time of a steady clock. CGAL::Timer measures processor time by a system call, which is too slow for the many short phases of
+// small patches; CGAL::Real_timer uses the time of day, which may be set back, with a resolution of a microsecond.
 inline double elapsed_seconds()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

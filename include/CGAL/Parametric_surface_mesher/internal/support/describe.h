@@ -8,6 +8,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SUPPORT_DESCRIBE_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_SUPPORT_DESCRIBE_H
 
+#include <cstddef>
 #include <sstream>
 #include <string>
 
@@ -31,6 +32,12 @@ std::string describe(const Point_2& p)
   text.precision(17);
   text << "(" << p.x() << ", " << p.y() << ")";
   return text.str();
+}
+
+// "face 3" for the face with index 2: messages and files count from 1, as CAD programs do, indices of the interface from 0.
+inline std::string numbered(const char* what, std::size_t index)
+{
+  return what + (" " + std::to_string(index + 1));
 }
 
 } // namespace internal

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Bounds the stack arrays of an evaluation. Open CASCADE and STEP stop here too.
+// Bounds the arrays on the stack of an evaluation. Open CASCADE has the same limit.
 constexpr int max_degree = 25;
 
 // The degree + 1 basis functions that do not vanish on an interval, at one parameter value.
@@ -31,7 +31,7 @@ struct Basis_functions
   double value[max_degree + 1];
 };
 
-// The same with first and second derivatives.
+// These functions with their first and second derivatives.
 struct Basis_function_jets
 {
   double value[max_degree + 1], first[max_degree + 1], second[max_degree + 1];
@@ -40,18 +40,18 @@ struct Basis_function_jets
 // A parameter value `t` and the knots around its interval.
 class Knot_interval
 {
-  const double* m_knot; // the last one before the interval
+  const double* m_knot; // the last knot before the interval
   double m_t;
 
 public:
   Knot_interval(const double* knot, double t) : m_knot(knot), m_t(t) {}
 
-  // The support of function `r` of degree `d` on the interval: its length, and the part of it after `t`.
+  // The length of the support of function `r` of degree `d` on the interval.
   double support_length(int d, int r) const { return m_knot[r + 1] - m_knot[r - d]; }
   double rest_of_support(int r) const { return m_knot[r + 1] - m_t; }
 };
 
-// The same for the knots 0 and 1 of full multiplicity, whose B-splines are the Bernstein polynomials.
+// The interval between the knots 0 and 1 of full multiplicity, whose B-splines are the Bernstein polynomials.
 class Unit_interval
 {
   double m_t;
@@ -126,7 +126,7 @@ inline void check_degree(const std::string& place, int degree)
   throw Parametric_surface_mesh_error(message.str());
 }
 
-// A checked knot vector, each knot as often as its multiplicity.
+// A knot vector, checked, with each knot as often as its multiplicity.
 class Knot_vector
 {
   int m_degree;
@@ -148,11 +148,11 @@ public:
   const std::vector<double>& knots() const { return m_knots; }
   int number_of_functions() const { return int(m_knots.size()) - m_degree - 1; }
 
-  // The ends of the range in which the basis is complete.
+  // The ends of the range on which the basis functions sum to 1.
   double min() const { return m_knots[m_degree]; }
   double max() const { return m_knots[number_of_functions()]; }
 
-  // The interval of `t`, or the nearest one, and the number of the first function that does not vanish there.
+  // The interval that contains `t`, or the nearest one, and the index of the first function that does not vanish there.
   std::pair<Knot_interval, int> locate(double t) const
   {
     const double* knots = m_knots.data();
@@ -175,7 +175,7 @@ private:
       refuse(place, "a knot range that is not empty", "first", min(), "last", max());
   }
 
-  // A knot in the range of multiplicity degree + 1 would tear the surface; more make a function vanish everywhere.
+  // A surface has a gap at an inner knot of multiplicity degree + 1; with a higher multiplicity, a function vanishes everywhere.
   void check_multiplicities(const std::string& place) const
   {
     for(auto it = m_knots.begin(); it != m_knots.end();) {

@@ -43,7 +43,7 @@ private:
   std::vector<double> m_weights;     // empty if all are equal
 
 public:
-  // Row by row: the number in the u direction runs fastest.
+  // The points come row by row: the index in the u direction runs fastest.
   template <class Point_range>
   Control_net_3(const std::string& place, int size_u, int size_v,
                 const Point_range& points, std::vector<double> weights)
@@ -68,7 +68,7 @@ public:
 
   double weight(int i, int j) const { return is_rational() ? m_weights[index(i, j)] : 1; }
 
-  // The sum over the points from `(first_u, first_v)` on.
+  // The sum over the points from `(first_u, first_v)` on, weighted by the basis functions.
   Point_3 evaluate(const Basis_functions& u, int degree_u, int first_u,
                    const Basis_functions& v, int degree_v, int first_v) const
   {
@@ -85,7 +85,7 @@ public:
                          : Point_3(sum[0], sum[1], sum[2]);
   }
 
-  // The same with derivatives (Piegl and Tiller, algorithm A3.6).
+  // The sum with its derivatives (Piegl and Tiller, The NURBS Book, algorithm A3.6).
   Surface_jet_3<Kernel> evaluate(const Basis_function_jets& u, int degree_u, int first_u,
                                  const Basis_function_jets& v, int degree_v, int first_v) const
   {
@@ -123,7 +123,8 @@ private:
 
   static Vector_3 vector(const Homogeneous& h) { return Vector_3(h[0], h[1], h[2]); }
 
-  // From homogeneous derivatives to those of the projected point (A4.4): the quotient rule, lowest order first.
+  // Turns homogeneous derivatives into those of the projected point by the quotient rule, lowest order first (The NURBS Book,
+  // algorithm A4.4).
   static void project(Homogeneous& s, Homogeneous& du, Homogeneous& dv,
                       Homogeneous& duu, Homogeneous& duv, Homogeneous& dvv)
   {

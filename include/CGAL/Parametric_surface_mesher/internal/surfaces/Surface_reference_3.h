@@ -14,7 +14,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A surface that is not copied with the model that it is in.
+// Refers to a surface that must not be copied into the model that is made of it: the surfaces of users may be large, or may not be
+// copyable at all. `std::reference_wrapper` has no `Geom_traits`, `point()` and `jet()`.
 template <class Surface>
 class Surface_reference_3
 {

@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A point of the boundary division: in the domain, in space, and by its index in the mesh. Points of a collapsed side
-// are several in the domain and have the same index.
+// A point of the boundary division: in the domain, in space, and by its index in the mesh. The points of a collapsed side are
+// different points of the domain with the same index.
 template <class Kernel>
 struct Boundary_vertex
 {
@@ -58,13 +58,13 @@ std::size_t number_of_vertices(const Boundary_loops<Kernel>& loops)
                          [](std::size_t n, const auto& loop) { return n + loop.size(); });
 }
 
-// Looks for what keeps a division from bounding a domain: fewer than three points, values that are not finite, segments of
-// length zero, and segments that meet elsewhere than in a common vertex. All tests are exact; O(n log n).
+// Finds what prevents a division from bounding a domain: loops of fewer than three points, values that are not finite, segments
+// of length zero, and segments that meet elsewhere than in a common vertex. All tests are exact and take O(n log n) time.
 template <class Kernel>
 class Boundary_check
 {
 public:
-  typedef std::pair<std::size_t, std::size_t> Segment_id; // loop, number in the loop
+  typedef std::pair<std::size_t, std::size_t> Segment_id; // indices of the loop, and of the segment in it
   typedef std::pair<Segment_id, Segment_id> Crossing;
 
 private:
@@ -76,12 +76,12 @@ private:
 public:
   explicit Boundary_check(const Boundary_loops<Kernel>& loops) : m_loops(loops) {}
 
-  // \throws Parametric_surface_mesh_error for loops that are too short, and points and segments that are no such
+  // \throws Parametric_surface_mesh_error for loops that are too short, points that are not finite, and segments of length zero
   void check_segments() const
   {
     for(std::size_t l = 0; l < m_loops.size(); ++l) {
       if(m_loops[l].size() < 3)
-        throw Parametric_surface_mesh_error("loop " + std::to_string(l) + " is divided into "
+        throw Parametric_surface_mesh_error(numbered("loop", l) + " is divided into "
                                             + std::to_string(m_loops[l].size())
                                             + " edges; at least 3 are needed: choose a smaller maximum edge");
       for(std::size_t i = 0; i < m_loops[l].size(); ++i)
@@ -89,7 +89,7 @@ public:
     }
   }
 
-  // the pairs of segments that cross, overlap or touch, in order
+  // The pairs of segments that cross, overlap or touch, in ascending order.
   std::vector<Crossing> crossings() const
   {
     std::vector<Box> boxes;
@@ -97,7 +97,7 @@ public:
       for(std::size_t i = 0; i < m_loops[l].size(); ++i)
         boxes.push_back(Box(segment({l, i}).bbox(), Segment_id(l, i)));
     std::vector<Crossing> result;
-    const std::ptrdiff_t cutoff = 500; // boxes that are scanned, without a tree
+    const std::ptrdiff_t cutoff = 500; // so many boxes are compared one by one, which is faster than a segment tree
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
       const Crossing pair = std::minmax(a.info(), b.info());
       if(cross(pair.first, pair.second))
@@ -125,7 +125,7 @@ private:
 
   std::string name(const Segment_id& id) const
   {
-    return "segment " + std::to_string(id.second) + " of loop " + std::to_string(id.first) + ", "
+    return numbered("segment", id.second) + " of " + numbered("loop", id.first) + ", "
            + describe(segment(id).source()) + " to " + describe(segment(id).target());
   }
 
@@ -142,7 +142,7 @@ private:
       throw Parametric_surface_mesh_error(name(id) + ", has length zero in the domain");
   }
 
-  // Segments may meet in a common vertex, be they neighbours or loops that touch there.
+  // Segments may meet in a common vertex: neighbours on a loop, or segments of loops that touch there.
   bool cross(const Segment_id& a, const Segment_id& b) const
   {
     const Segment_2 s = segment(a), t = segment(b);
@@ -158,7 +158,7 @@ private:
     return v.index == w.index && v.domain_point == w.domain_point;
   }
 
-  // whether two segments joined at s.target() have more in common than that point
+  // Whether two segments that are joined at `s.target()` have other points in common.
   static bool overlap(const Segment_2& s, const Segment_2& t)
   {
     return orientation(s.source(), s.target(), t.target()) == COLLINEAR

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Where a point lies, as seen from a face of the domain.
+// The place of a point, found by a walk from a face of the domain.
 template <class Triangulation>
 struct Location
 {
@@ -23,7 +23,7 @@ struct Location
     IN_FACE,           // strictly inside `face`
     ON_EDGE,           // strictly inside edge `index` of `face`
     ON_VERTEX,         // at a vertex of `face`
-    BEHIND_CONSTRAINT, // edge `index` of `face` is constrained and in the way
+    BEHIND_CONSTRAINT, // the way crosses edge `index` of `face`, which is constrained
     LOST               // the walk gave up
   };
 
@@ -32,8 +32,8 @@ struct Location
   int index;
 };
 
-// Visibility walk from `start` to `p` that does not cross constraints. Where the metric varies such a walk might
-// go round in circles, so its length is bounded; a point that is not found is as good as one behind a constraint.
+// Visibility walk from `start` to `p` that does not cross constraints. In a triangulation that is not Delaunay under one metric
+// such a walk need not end, so its length is bounded.
 template <class Triangulation, class Point>
 Location<Triangulation> walk_in_domain(const Triangulation& triangulation, typename Triangulation::Face_handle start,
                                        const Point& p)
@@ -46,7 +46,7 @@ Location<Triangulation> walk_in_domain(const Triangulation& triangulation, typen
     Face_handle next;
     int on_edge = -1, blocked_by = -1, zeros = 0;
     for(int k = 0; k < 3 && next == Face_handle(); ++k) {
-      const int i = (k + step) % 3; // a changing first edge breaks cycles
+      const int i = (k + step) % 3; // starting with a different edge at each step avoids most cycles
       if(face->neighbor(i) == previous && previous != Face_handle())
         continue;
       const Orientation side = orientation(face->vertex((i + 1) % 3)->point(), face->vertex((i + 2) % 3)->point(), p);

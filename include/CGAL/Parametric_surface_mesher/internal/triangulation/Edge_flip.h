@@ -30,7 +30,7 @@ class Edge_flip
 
   Triangulation& m_triangulation;
   Face_handle m_face, m_across;
-  std::array<Point, 4> m_points; // of the quadrilateral: the edge is from 1 to 3
+  std::array<Point, 4> m_points; // the corners of the quadrilateral; the edge is from 1 to 3
 
 public:
   // \pre edge `i` of `face` is not constrained
@@ -42,9 +42,10 @@ public:
 
   std::array<Face_handle, 2> faces() const { return {m_face, m_across}; }
 
-  // Whether the quadrilateral is strictly convex in the domain, which is exact; the triangles would not stand up from the
-  // surface, as those of points that are on a line in the domain but for rounding; and no inner vertex would be joined to a
-  // second copy of a vertex on a seam, since such an edge would have to be split.
+  // Whether the flip is allowed:
+  // - the quadrilateral is strictly convex in the domain, by an exact test;
+  // - the new triangles do not stand up from the surface, as they may if three points are nearly on a line in the domain;
+  // - no inner vertex is joined to a second copy of a vertex on a seam, since the output would have to split that edge.
   bool is_valid() const
   {
     const auto orientation = m_triangulation.geom_traits().orientation_2_object();
@@ -56,21 +57,21 @@ public:
            || !(v->is_on_boundary() ? has_neighbor_with_index(w, v->index()) : has_neighbor_with_index(v, w->index()));
   }
 
-  // the smaller value of `quality`, a function of squared lengths, that the two triangles have
+  // The smaller one of the qualities of the two triangles. `quality` is a function of squared edge lengths.
   template <class MetricField, class Quality>
   double worst_before(const MetricField& metric, const Quality& quality) const
   {
     return (std::min)(quality(squared_lengths(metric, 0, 1, 3)), quality(squared_lengths(metric, 2, 3, 1)));
   }
 
-  // that they would have
+  // The smaller one of the qualities that the triangles would have after the flip.
   template <class MetricField, class Quality>
   double worst_after(const MetricField& metric, const Quality& quality) const
   {
     return (std::min)(quality(squared_lengths(metric, 0, 1, 2)), quality(squared_lengths(metric, 2, 3, 0)));
   }
 
-  // that of the triangle that the first vertex of the edge, next to the apex of the given face, would be cut off by
+  // The quality, after the flip, of the triangle that cuts off the first vertex of the edge.
   template <class MetricField, class Quality>
   double quality_of_ear(const MetricField& metric, const Quality& quality) const
   {
@@ -83,7 +84,7 @@ public:
     touch();
   }
 
-  // Each flip turns the two triangles by a quarter: three more bring both back to their faces.
+  // Each flip turns the two triangles by a quarter turn; three more flips restore both faces.
   void undo()
   {
     for(int k = 0; k < 3; ++k)
@@ -94,13 +95,17 @@ public:
 private:
   typedef typename Point::Surface_point_3 Point_3;
 
-  // in space, by an angle above some 78 degrees
+  // The squared cosine of 78 degrees. On a fine mesh neighbours enclose a few degrees; larger angles arise from corners that are
+  // nearly collinear in the domain.
+  static constexpr double squared_cosine_of_standing = 0.04;
+
+  // Whether a new triangle would make an angle of more than 78 degrees with the surface.
   bool stands_up() const
   {
     const auto before = normal(0, 1, 3) + normal(2, 3, 1);
     for(const auto& after : {normal(0, 1, 2), normal(2, 3, 0)}) {
       const double product = before * after;
-      if(!(product > 0 && product * product > 0.04 * before.squared_length() * after.squared_length()))
+      if(!(product > 0 && product * product > squared_cosine_of_standing * before.squared_length() * after.squared_length()))
         return true;
     }
     return false;

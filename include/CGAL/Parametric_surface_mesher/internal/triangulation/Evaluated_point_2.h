@@ -15,17 +15,17 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A point of the surface as evaluated, with its tensor.
+// A point of the surface with its metric tensor.
 template <class Kernel>
 struct Evaluated_position
 {
   Patch_point_2<Kernel> point;
   Surface_jet_3<Kernel> jet;
   bool is_tensor_replaced;
-  bool is_degenerate; // no positive definite tensor was found, not even by chords
+  bool is_degenerate; // whether no positive definite tensor was found, not even by chords
 };
 
-// A point of the mesh as evaluated: also with the largest spacing that curvature and sizing field allow there.
+// A point of the mesh: also with the largest spacing that the curvature and the sizing field allow there.
 template <class Kernel>
 struct Evaluated_point
   : Evaluated_position<Kernel>

@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A point of a patch in the coordinates that it is meshed in, with its place in those whose straight lines count as edges:
-// for most charts the domain. All edges of a vertex ask for it, and the way there costs as much as an evaluation of the
-// surface.
+// A point of a patch in the coordinates in which the patch is meshed, with its place in the coordinates in which edges are
+// straight: for most charts those of the domain. The second place is kept because every edge of a vertex needs it, and computing
+// it costs as much as an evaluation of the surface.
 template <class Kernel>
 class Patch_point_2
   : public Parametric_point_2<Kernel>
@@ -32,7 +32,7 @@ public:
 
   explicit Patch_point_2(const Point_2& p) : Base(p), m_line_point(p) {}
 
-  // with edges that are straight in the coordinates that the patch is meshed in
+  // A point whose edges are straight in the coordinates in which the patch is meshed.
   Patch_point_2(const Point_2& p, const typename Kernel::Point_3& surface_point, const Metric_tensor_2& tensor)
     : Base(p, surface_point, tensor), m_line_point(p)
   {}
@@ -41,8 +41,8 @@ public:
   const Point_2& line_point() const { return m_line_point; }
 };
 
-// Gives a point its place on the lines that count: in its own coordinates a surface leaves it where it is; `Charted_surface_3`
-// has an overload.
+// Sets the place of a point in the coordinates in which edges are straight. A surface without a chart has nothing to set;
+// `Charted_surface_3` has an overload.
 template <class Surface, class Kernel>
 void set_line_point(const Surface&, Patch_point_2<Kernel>&)
 {}

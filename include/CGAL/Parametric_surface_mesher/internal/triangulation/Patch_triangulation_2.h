@@ -24,11 +24,11 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The largest index that a vertex holds: of none in the mesh.
+// The index of a vertex that has none in the mesh: the largest one that fits.
 const std::size_t no_vertex_index = std::uint32_t(-1);
 
-// A vertex with its spacing (paper, eq. 2) and its index in the mesh. Boundary vertices have their index from the
-// division, and come first.
+// A vertex with its spacing (paper, eq. 2) and its index in the mesh. Boundary vertices come first and have the index that the
+// division gave them.
 template <class Traits, class Base = Triangulation_vertex_base_2<Traits>>
 class Patch_vertex_base_2
   : public Base
@@ -51,17 +51,17 @@ public:
   std::size_t index() const { return m_index; }
   void set_index(std::size_t index)
   {
-    CGAL_assertion(index <= no_vertex_index); // meshes with more points are refused in the end
+    CGAL_assertion(index <= no_vertex_index); // the output refuses meshes with more points
     m_index = std::uint32_t(index);
   }
   bool is_on_boundary() const { return m_is_on_boundary; }
   void set_on_boundary(bool b) { m_is_on_boundary = b; }
 
-  // Whether smoothing has nothing to do here as long as the star stays.
+  // Whether smoothing need not visit the vertex as long as its star does not change.
   bool is_settled() const { return m_is_settled; }
   void set_settled(bool b) { m_is_settled = b; }
 
-  // Whether smoothing leaves it where it was placed.
+  // Whether smoothing must not move the vertex.
   bool is_kept() const { return m_is_kept; }
   void set_kept(bool b) { m_is_kept = b; }
 };
@@ -96,7 +96,7 @@ public:
     typedef Patch_face_base_2<Traits, typename Base::template Rebind_TDS<Tds>::Other> Other;
   };
 
-  // How many loops of the boundary are around: none outside of all, one in the domain, two in its holes.
+  // The number of boundary loops around the face: none outside of all, one in the domain, two in its holes.
   int nesting_level() const { return m_nesting_level; }
   void set_nesting_level(int level) { m_nesting_level = std::uint8_t(level); }
   bool is_in_domain() const { return m_nesting_level == 1; }
@@ -105,7 +105,7 @@ public:
   // Changes whenever the face does, so that a queue entry can tell whether it is out of date.
   std::uint32_t stamp() const { return m_stamp; }
 
-  // in the mesh, once the triangulation is final and the face is there
+  // Whether the face has its index in the mesh; it gets one when the final triangulation is collected.
   bool has_number() const { return m_number != no_number; }
   std::size_t number() const { return m_number; }
   void set_number(std::size_t number) { m_number = std::uint32_t(number); }
@@ -113,7 +113,7 @@ public:
   Face_state state() const { return m_state; }
   void set_state(Face_state state) { m_state = state; }
 
-  // to be repaired
+  // Whether the face waits to be repaired.
   bool is_waiting() const { return m_is_waiting; }
   void set_waiting(bool b) { m_is_waiting = b; }
 
@@ -121,7 +121,7 @@ public:
   bool is_close(int i) const { return (m_close_edges >> i & 1) != 0; }
   void set_close(int i) { m_close_edges = std::uint8_t(m_close_edges | 1 << i); }
 
-  // to be called when the vertices have changed
+  // Must be called when vertices of the face have changed.
   void touch()
   {
     ++m_stamp;
@@ -129,7 +129,7 @@ public:
     m_state = Face_state::UNKNOWN;
   }
 
-  // the same when vertex `i` alone has changed: the edge opposite to it is as close to the surface as it was
+  // Must be called when vertex `i` alone has changed. The edge opposite to it is as close to the surface as before.
   void touch_by_vertex(int i)
   {
     const std::uint8_t close_edge = m_close_edges & std::uint8_t(1 << i);

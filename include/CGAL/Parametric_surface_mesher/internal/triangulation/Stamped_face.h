@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A face as it is now, for a queue: later it tells whether the face has changed since.
+// An entry for a queue of faces, which can tell whether the face has changed since the entry was made.
 template <class Face_handle>
 struct Stamped_face
 {

@@ -17,14 +17,15 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The boundary edges of the star that a point would get, without inserting it: the faces whose circumellipse holds the
-// point, reached from the face that contains it without crossing a constraint.
+// The boundary edges of the star that a point would get if it were inserted: the star consists of the faces whose circumellipse
+// contains the point, as far as they can be reached from the face that contains it without crossing a constraint.
+// (CGAL's get_conflicts_and_boundary() does not bound their number.)
 template <class Triangulation>
 class Star_of_point
 {
 public:
   typedef typename Triangulation::Face_handle Face_handle;
-  typedef std::pair<Face_handle, int> Edge; // of a face of the star
+  typedef std::pair<Face_handle, int> Edge; // a face of the star, and the index of its edge
 
 private:
   const Triangulation& m_triangulation;
@@ -33,7 +34,7 @@ private:
 public:
   explicit Star_of_point(const Triangulation& triangulation) : m_triangulation(triangulation) {}
 
-  // The number of edges is bounded: where the metric varies the conflict region need not be a disc.
+  // The number of edges is bounded, since under a varying metric the conflict region need not be a disc.
   template <class Point>
   const std::vector<Edge>& compute(const Point& p, Face_handle face)
   {
@@ -51,11 +52,11 @@ public:
     return m_boundary;
   }
 
-  // the edges of the star computed last
+  // The edges of the star that was computed last.
   const std::vector<Edge>& boundary() const { return m_boundary; }
 
 private:
-  // pushes the two edges other than `entry` (all three for -1), the counterclockwise first one on top
+  // Pushes the edges of a face other than `entry` (all three if that is -1), so that the next one counterclockwise is on top.
   void push_edges(Face_handle face, int entry)
   {
     if(entry < 0) {

@@ -22,8 +22,8 @@ namespace internal {
 
 // Insertion of a vertex inside the domain: the face or edge that holds it is split, then the edges opposite to it are
 // flipped while the point lies in the circumellipse of the triangle across. Each flip raises the degree of the new vertex,
-// so this ends whatever the metric does. The new vertex is vertex 0 of all its faces: nobody has to look for it, which the
-// general functions of the data structure do at each step.
+// so this ends for any metric. The new vertex is vertex 0 of all its faces, so that it need not be searched for at each step, as
+// the general functions of the data structure do. (Insertion by these functions was measured to be slower.)
 template <class Triangulation>
 class Vertex_insertion
 {
@@ -32,8 +32,8 @@ class Vertex_insertion
   typedef typename Triangulation::Point Point;
 
   Triangulation& m_triangulation;
-  std::vector<Face_handle> m_stack; // faces whose edge opposite to the new vertex is to be flipped
-  std::vector<Face_handle> m_star;  // faces of the new vertex
+  std::vector<Face_handle> m_stack; // faces whose edge opposite to the new vertex has to be flipped
+  std::vector<Face_handle> m_star;  // faces around the new vertex
 
 public:
   explicit Vertex_insertion(Triangulation& triangulation) : m_triangulation(triangulation) {}
@@ -64,11 +64,11 @@ public:
     return vertex;
   }
 
-  // the faces around the vertex inserted last, counterclockwise; it is vertex 0 of each
+  // The faces around the vertex that was inserted last, counterclockwise; it is vertex 0 of each.
   const std::vector<Face_handle>& star() const { return m_star; }
 
 private:
-  // `face` becomes the one of the three whose edge opposite to the new vertex is its old edge 0
+  // `face` becomes the one of the three new faces that keeps its edge 0, which is then opposite to the new vertex.
   Vertex_handle split(Face_handle face, const Point& p)
   {
     auto& tds = m_triangulation.tds();
@@ -89,7 +89,7 @@ private:
     return vertex;
   }
 
-  // what is across edge `i` of `from` comes across edge 0 of `face`
+  // The neighbour across edge `i` of `from` becomes the one across edge 0 of `face`.
   static void take_edge(Face_handle face, Face_handle from, int i)
   {
     const Face_handle across = from->neighbor(i);
@@ -111,7 +111,8 @@ private:
       face->touch();
   }
 
-  // All are tested before one is pushed: nobody can predict which, and so the processor works on several at once.
+  // Tests all edges before pushing any: the outcomes are unpredictable, and without branches in between the processor works on
+  // several tests at once.
   template <class... Faces>
   void look_at(const Point& p, Faces... faces)
   {
@@ -130,8 +131,8 @@ private:
            != ON_POSITIVE_SIDE;
   }
 
-  // The edge from `a` to `b`, opposite to the new vertex, gives way to one from the new vertex to the corner `c` across it:
-  // `face` keeps `a`, and the face across becomes that with `b`.
+  // Replaces the edge from `a` to `b`, opposite to the new vertex, by one from the new vertex to the corner `c` across it. `face`
+  // keeps `a`, and the face across keeps `b`.
   static void flip(Face_handle face)
   {
     const Face_handle across = face->neighbor(0), behind_b = face->neighbor(1);

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Takes an inner vertex out of its star: edges at it are flipped away, that with the best ear first, until three triangles
-// are left, which become one. Until then all can be undone.
+// Removes an inner vertex: edges at it are flipped away, the one with the best ear first, until three triangles are left, which
+// become one. Until then everything can be undone.
 template <class Triangulation>
 class Vertex_removal
 {
@@ -33,7 +33,7 @@ class Vertex_removal
 public:
   Vertex_removal(Triangulation& triangulation, Vertex_handle vertex) : m_triangulation(triangulation), m_vertex(vertex) {}
 
-  // Flips until three triangles are left, all the others with a quality above `bound`; returns whether that could be.
+  // Flips until three triangles are left and all others have a quality above `bound`; returns whether this was possible.
   template <class MetricField, class Quality>
   bool cut_ears(const MetricField& metric, const Quality& quality, double bound)
   {
@@ -43,7 +43,7 @@ public:
     return true;
   }
 
-  // the triangles at the vertex
+  // The triangles at the vertex.
   std::vector<Face_handle> faces() const
   {
     std::vector<Face_handle> result;
@@ -55,7 +55,7 @@ public:
     return result;
   }
 
-  // Calls `function` with what the last three triangles would become, a face that has no neighbours.
+  // Calls `function` with a face, without neighbours, that is what the last three triangles would become.
   template <class Function>
   auto with_last_face(const Function& function)
   {
@@ -64,7 +64,7 @@ public:
     for(Vertex_handle& v : corners)
       v = corner++;
     const Face_handle face = m_triangulation.tds().create_face(corners[0], corners[1], corners[2]);
-    face->set_constraints(true, true, true); // the neighbours know these edges
+    face->set_constraints(true, true, true); // the criteria have judged these edges in the neighbours
     face->set_in_domain(true);
     const auto result = function(face);
     m_triangulation.tds().delete_face(face);
@@ -77,7 +77,7 @@ public:
       m_flips.back().undo();
   }
 
-  // Makes one of the last three triangles, and returns it. The other two and the vertex are gone.
+  // Replaces the last three triangles by one, which is returned, and deletes the vertex.
   Face_handle remove()
   {
     const Face_handle face = m_vertex->face();
@@ -110,7 +110,7 @@ private:
     return true;
   }
 
-  // of the edge that ends the ear of a face and the next one
+  // The flip of the edge between a face at the vertex and the next one.
   Edge_flip<Triangulation> flip_of_spoke(Face_handle face) const
   {
     return Edge_flip<Triangulation>(m_triangulation, face, Triangulation::ccw(face->index(m_vertex)));

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// asks for the memory of an object, so that it is there when needed; without effect else
+// Prefetches the memory of an object. This has no effect but on speed.
 template <class T>
 void prefetch(const T& object)
 {
@@ -28,14 +28,14 @@ void prefetch(const T& object)
 #endif
 }
 
-// Visits the handles of a range in their order, each after `announce_early` and, some steps later, `announce` were called
-// for it: these prefetch what the visit will need, since sweeps over a large triangulation wait for memory half of their
-// time. No visit may change the range.
+// Visits the handles of a range in their order. For each handle first `announce_early` is called and, some steps later, `announce`:
+// these prefetch what the visit will need, since otherwise sweeps over a large triangulation wait for memory half of their time.
+// Visits must not change the range.
 template <class Handle, class Range, class AnnounceEarly, class Announce, class Visit>
 void for_each_with_lookahead(const Range& handles, const AnnounceEarly& announce_early, const Announce& announce,
                              const Visit& visit)
 {
-  const std::size_t distance = 4; // between the three calls
+  const std::size_t distance = 4; // steps between the three calls
   std::array<Handle, 2 * distance> waiting;
   std::size_t n = 0;
   for(const Handle handle : handles) {
@@ -50,7 +50,7 @@ void for_each_with_lookahead(const Range& handles, const AnnounceEarly& announce
     visit(waiting[k % waiting.size()]);
 }
 
-// the finite faces, each with the memory of its vertices and neighbours
+// Visits the finite faces; the memory of their vertices and neighbours is prefetched.
 template <class Triangulation, class Visit>
 void for_each_face_with_lookahead(const Triangulation& triangulation, const Visit& visit)
 {
@@ -65,7 +65,7 @@ void for_each_face_with_lookahead(const Triangulation& triangulation, const Visi
                                        visit);
 }
 
-// the finite vertices, each with the memory of most of the faces and vertices around it
+// Visits the finite vertices; the memory of most of the faces and vertices around them is prefetched.
 template <class Triangulation, class Visit>
 void for_each_vertex_with_lookahead(const Triangulation& triangulation, const Visit& visit)
 {

@@ -8,6 +8,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_TRIANGULATE_BOUNDARY_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_TRIANGULATE_BOUNDARY_H
 
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Evaluated_point_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
@@ -31,7 +32,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Tells all faces how many loops are around them, from outside inwards. Constraints are the loops.
+// Sets for all faces how many loops are around them, from outside inwards. The constraints are the segments of the loops.
 template <class Triangulation>
 void set_nesting_levels(Triangulation& triangulation)
 {
@@ -60,10 +61,10 @@ struct Boundary_triangulation
   typedef Patch_triangulation_2<Kernel> Triangulation;
 
   std::unique_ptr<Triangulation> triangulation;
-  std::vector<typename Triangulation::Vertex_handle> vertices; // of the points, loop by loop
+  std::vector<typename Triangulation::Vertex_handle> vertices; // one for each point, loop by loop
 };
 
-// The faces by the indices of their vertices, along the boundary.
+// The faces, identified by the indices of their vertices, in an order along the boundary.
 template <class Triangulation>
 std::vector<typename Triangulation::Face_handle> faces_along_boundary(const Triangulation& triangulation)
 {
@@ -101,11 +102,11 @@ public:
   typedef Evaluated_point<Kernel> Evaluated;
 
 private:
-  static constexpr double rounding_of_tensors = 1e-6; // relative, of those of a cylinder
+  static constexpr double rounding_of_tensors = 1e-6; // relative; the tensors of a cylinder, all equal, differ by less
 
   Triangulation& m_triangulation;
   const Boundary_loops<Kernel>& m_loops;
-  std::vector<std::size_t> m_starts; // of the loops in the arrays below
+  std::vector<std::size_t> m_starts; // where each loop begins in the arrays below
   std::vector<Point> m_points;
   std::vector<Vertex_handle> m_vertices;
   std::size_t m_number_of_replaced_tensors = 0;
@@ -116,15 +117,15 @@ public:
     : m_triangulation(triangulation), m_loops(loops)
   {}
 
-  // \pre `Boundary_check` finds nothing
+  // \pre `Boundary_check` finds no mistakes
   template <class Evaluator>
   void operator()(const Evaluator& evaluate)
   {
     triangulate(evaluate_all(evaluate));
   }
 
-  // Takes over a triangulation of the points of the loops, under tensors and with spacings of its own. Where tensors vary it
-  // depends on how it was made: then one is made anew.
+  // Uses a triangulation of the points of the loops that was made before, with other tensors and spacings. If tensors vary, it
+  // depends on the order of its points, and a new one is made instead.
   template <class Evaluator>
   void operator()(const Evaluator& evaluate, Boundary_triangulation<Kernel> given)
   {
@@ -136,13 +137,13 @@ public:
       triangulate(evaluated);
   }
 
-  // the vertices of the points of the loops, loop by loop
+  // The vertices of the points, loop by loop.
   const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
 
-  // Whether the order of the faces is that in which another one has made them.
+  // Whether a triangulation that was made before is used, so that the order of the faces is not the usual one.
   bool has_taken_over() const { return m_has_taken_over; }
 
-  // how many boundary vertices have a tensor that was not positive definite
+  // The number of boundary vertices whose tensor was not positive definite and was replaced.
   std::size_t number_of_replaced_tensors() const { return m_number_of_replaced_tensors; }
 
 private:
@@ -153,7 +154,7 @@ private:
     insert_constraints();
     mark_domain();
     set_points(evaluated);
-    if(!is_uniform) // else it is Delaunay already
+    if(!is_uniform) // under a single tensor the triangulation is Delaunay already
       make_locally_delaunay();
   }
 
@@ -188,7 +189,7 @@ private:
     return result;
   }
 
-  // but for a relative tolerance
+  // Whether all tensors are equal up to a relative tolerance.
   static bool have_one_tensor(const std::vector<Evaluated>& evaluated, double tolerance)
   {
     const Metric_tensor_2 first = evaluated.front().point.tensor();
@@ -237,7 +238,7 @@ private:
         visit(l, m_vertices[i], m_vertices[i + 1 < m_starts[l + 1] ? i + 1 : m_starts[l]]);
   }
 
-  // Most segments are edges of the triangulation already, which stays Delaunay if these are but marked.
+  // Most segments are edges of the triangulation already; it stays Delaunay if these are only marked as constrained.
   void insert_constraints()
   {
     for_each_segment([this](std::size_t, Vertex_handle a, Vertex_handle b) {
@@ -270,15 +271,15 @@ private:
     m_triangulation.is_edge(a, b, face, i);
     const int level = (std::min)(face->nesting_level(), face->neighbor(i)->nesting_level());
     if(l == 0 && level != 0)
-      throw Parametric_surface_mesh_error("loop 0, the outer loop, lies inside another loop, at (u,v) = "
+      throw Parametric_surface_mesh_error("loop 1, the outer loop, lies inside another loop, at (u,v) = "
                                           + describe(a->point()));
     if(l > 0 && level != 1)
-      throw Parametric_surface_mesh_error("loop " + std::to_string(l) + ", a hole, lies "
+      throw Parametric_surface_mesh_error(numbered("loop", l) + ", a hole, lies "
                                           + (level == 0 ? "outside the outer loop" : "inside another hole")
                                           + ", at (u,v) = " + describe(a->point()));
   }
 
-  // of a boundary vertex: the mean of the distances to the two neighbours (paper, section "Spacing function")
+  // The spacing of a boundary vertex: the mean of the distances to its two neighbours (paper, section "Spacing function").
   static double spacing(const std::vector<Boundary_vertex<Kernel>>& loop, std::size_t i)
   {
     const auto &before = loop[(i + loop.size() - 1) % loop.size()].surface_point,
@@ -294,18 +295,18 @@ private:
         const Vertex_handle vertex = m_vertices[position];
         vertex->set_point(evaluated[position].point);
         const double own = spacing(loop, i);
-        vertex->set_spacing(vertex->is_on_boundary() ? (std::min)(vertex->spacing(), own) : own); // loops may touch
+        vertex->set_spacing(vertex->is_on_boundary() ? (std::min)(vertex->spacing(), own) : own); // a vertex where loops touch is visited twice
         vertex->set_index(loop[i].index);
         vertex->set_on_boundary(true);
       }
   }
 
-  // Flips under varying tensors could go round in circles: their number is bounded.
+  // Under varying tensors such flips need not end, so their number is bounded.
   void make_locally_delaunay()
   {
     typedef typename Triangulation::Edge Edge;
     std::vector<Edge> stack;
-    // by faces: the edge iterator's choice of a face for each edge depends on addresses
+    // The loop runs over faces, because which of the two faces of an edge the edge iterator returns depends on addresses.
     for(Face_handle face : m_triangulation.finite_face_handles())
       for(int i = 0; i < 3; ++i)
         stack.emplace_back(face, i);
