@@ -33,18 +33,18 @@ public:
 
   Kernel::Point_3 point(double u, double v) const { return jet(u, v).point; }
 
-  CGAL::Surface_jet_3<Kernel> jet(double u, double v) const
+  CGAL::Surface_jet_3<Kernel> jet(double u_value, double v_value) const
   {
     const double h = m_lid_height;
     if(h >= 0)
       return CGAL::make_parametric_function_surface([h](auto u, auto v) {
         return CGAL::parametric_surface_point(u, v, h);
-      }).jet(u, v);
+      }).jet(u_value, v_value);
     return CGAL::make_parametric_function_surface([](auto u, auto v) {
       using std::cos;
       using std::sin;
       return CGAL::parametric_surface_point(cos(u), sin(u), v);
-    }).jet(u, v);
+    }).jet(u_value, v_value);
   }
 };
 

@@ -73,7 +73,7 @@ TEST_P(Sample_shapes, off_centers_alone)
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, Sample_shapes, ::testing::ValuesIn(sample_names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& parameter) { return parameter.param; });
 
 // Large enough for the queue of bad faces to be in cells: no more triangles, and as good ones, as in one.
 TEST(Circumcenters, cell_by_cell)

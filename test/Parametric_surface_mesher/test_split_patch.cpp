@@ -168,7 +168,7 @@ TEST_P(Split_patch, is_the_same_on_any_number_of_threads)
 
 INSTANTIATE_TEST_SUITE_P(Samples, Split_patch, testing::Values("flat", "bend", "peak", "hole", "cap", "sphere", "torus", "cyl", "skew",
                                                                        "stretch"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& parameter) { return parameter.param; });
 
 // Lines meet such a domain several times, and leave more than two parts.
 TEST(Split_patch_of_odd_shape, horseshoe)

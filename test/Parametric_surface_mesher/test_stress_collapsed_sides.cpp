@@ -202,7 +202,7 @@ TEST_P(Pointed_cones, good_around_the_apex_of_a_split_patch)
 }
 
 INSTANTIATE_TEST_SUITE_P(Stress, Pointed_cones, testing::Values(18, 19, 20, 21, 22, 24, 25, 26),
-                         [](const auto& info) { return "half_angle_of_" + std::to_string(info.param) + "_degrees"; });
+                         [](const auto& parameter) { return "half_angle_of_" + std::to_string(parameter.param) + "_degrees"; });
 
 // no room for 30 degrees: three triangles with the angle that there is, or what refinement makes of them
 TEST(Needles, around_the_apex)
@@ -232,7 +232,7 @@ TEST_P(Cones, cut_open)
 }
 
 INSTANTIATE_TEST_SUITE_P(Stress, Cones, testing::Values(18, 20, 24, 30, 40, 50, 60, 70, 80),
-                         [](const auto& info) { return "half_angle_of_" + std::to_string(info.param) + "_degrees"; });
+                         [](const auto& parameter) { return "half_angle_of_" + std::to_string(parameter.param) + "_degrees"; });
 
 TEST(Poles_of_spheres, octants)
 {

@@ -347,7 +347,7 @@ TEST_P(Parametrisations, coarse) { check_wild(GetParam(), 0.24); }
 TEST_P(Parametrisations, fine) { check_wild(GetParam(), 0.06); }
 
 INSTANTIATE_TEST_SUITE_P(Stress, Parametrisations, testing::ValuesIn(all_cases()),
-                         [](const auto& info) { return name_of(info.param); });
+                         [](const auto& parameter) { return name_of(parameter.param); });
 
 TEST(Creases, roof_is_split)
 {

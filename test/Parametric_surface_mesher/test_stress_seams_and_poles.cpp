@@ -344,7 +344,7 @@ TEST_P(Seams, at_all_sizes) { check_at_all_sizes(GetParam().model(), GetParam().
 TEST_P(Seams, coarsest) { check_coarsest(GetParam().model(), GetParam().expected()); }
 
 INSTANTIATE_TEST_SUITE_P(Stress, Seams, testing::ValuesIn(seam_cases()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& parameter) { return std::string(parameter.param.name); });
 
 TEST_P(Seams_seen_in_way, sphere_cone_and_tori)
 {
