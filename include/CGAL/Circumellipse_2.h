@@ -26,7 +26,7 @@ namespace CGAL {
 The ellipse `{x : (x-c)^T M (x-c) = D}` through the three vertices of a triangle in the parameter
 domain, for a metric tensor `M`: the image of the circumscribed circle of the triangle's image on the surface.
 
-Equations (4) and (5) of the paper, with two slips put right: the parametric form is
+Equations (4) and (5) of the paper, with two corrections: the parametric form is
 `v = v_c + A cos(t) sin(alpha) + B sin(t) cos(alpha)` (the paper has a minus, which is no rotated ellipse),
 and for a tensor scaled to the eigenvalue 1 along the major axis the constant is `D = A^2`
 (the paper has `A^2 B^2`). For any other scale `D = A^2 lambda_min = B^2 lambda_max`.

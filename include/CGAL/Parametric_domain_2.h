@@ -24,7 +24,7 @@ namespace CGAL {
 \ingroup PkgParametricSurfaceMesherDomain
 
 The trimmed part of the parameter domain: one outer boundary loop and any number of holes. A loop is a sequence of
-curves, each starting where the one before ends. Either orientation will do.
+curves, each starting where the one before ends. Loops may have either orientation.
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 */

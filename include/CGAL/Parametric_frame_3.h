@@ -23,7 +23,7 @@ namespace CGAL {
 /*!
 \ingroup PkgParametricSurfaceMesherSurfaces
 
-A place in space for a surface: an origin and three orthonormal directions, right- or left-handed.
+The place of a surface in space: an origin and three orthonormal directions, right- or left-handed.
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 */

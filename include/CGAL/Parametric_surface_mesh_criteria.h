@@ -71,7 +71,7 @@ public:
   /// `Parametric_surface_mesh_error` that tells both, with and without `NDEBUG`, and leaves the object as it was.
   /// @{
 
-  /// the wanted edge length where nothing asks for less, and the longest edge of the boundary division.
+  /// the wanted edge length where nothing else requires shorter edges, and the longest edge of the boundary division.
   /// Default: 1/20 of the diagonal of the boundary's bounding box.
   /// Range: positive and finite.
   Parametric_surface_mesh_criteria& set_max_edge(double length)
@@ -81,8 +81,8 @@ public:
     return *this;
   }
 
-  /// the shortest length that edges are divided into: an edge is not divided for the sake of deviation, on the boundary or
-  /// inside, if it is shorter than twice this; and no two inner points are closer to each other. Default: 1/200 of
+  /// the shortest length into which edges are divided: an edge is not divided for the sake of deviation, on the boundary or
+  /// inside, if it is shorter than twice this length; and no two inner points are closer to each other. Default: 1/200 of
   /// `max_edge()`, or of the default of that if it is smaller.
   /// Range: positive and finite.
   Parametric_surface_mesh_criteria& set_min_edge(double length)
@@ -101,8 +101,8 @@ public:
     return *this;
   }
 
-  /// the bound of the smallest angle, in degrees. Default: 30. Above some 33 degrees refinement
-  /// alone need not succeed; what is left is reported. Range: at least 0 and below 60.
+  /// the bound of the smallest angle, in degrees. Default: 30. With more than 33 degrees many
+  /// triangles may fail; they are reported. Range: at least 0 and below 60.
   Parametric_surface_mesh_criteria& set_angle(double degrees)
   {
     Parametric_surface_mesher::internal::check_smallest_angle("smallest angle", degrees);
@@ -121,9 +121,9 @@ public:
     return *this;
   }
 
-  /// by how much the spacing grows inside, as a share of the distance from where it is given, up to `max_edge()`. With 0 the
-  /// spacing inside is a mean of that on the boundary (paper, eq. 2), so that a fine boundary all around makes a fine mesh.
-  /// Values up to some 0.2 leave room for angles of 30 degrees. Default: 0. Range: at least 0 and
+  /// how fast edges grow away from the boundary: the increase of the spacing, up to `max_edge()`, as a share of the distance.
+  /// With 0 the spacing inside is a mean of that on the boundary (paper, eq. 2), so that a boundary that is fine all around
+  /// makes a fine mesh; 0.1 saves many triangles. Values up to 0.2 leave room for angles of 30 degrees. Default: 0. Range: at least 0 and
   /// finite.
   Parametric_surface_mesh_criteria& set_growth(double growth)
   {
@@ -141,13 +141,13 @@ public:
     return *this;
   }
 
-  /// how many times as long as a face is wide a piece of its boundary may be. Longer ones are halved, down to the minimum
-  /// edge, and so are pieces more than 2.5 times as long as a neighbour on the loop, or longer than a piece across the face
-  /// by more than the distance between them. Where halves would be shorter than the minimum edge, several pieces in
-  /// a row are replaced by as many more as have room, and points are moved along narrow faces to where they are opposite to
-  /// the middles of pieces. The points of an edge stay the same for all its faces.
-  /// Narrow faces get triangles without small angles so, and more of them. Values around 1.8 leave room for angles of 30
-  /// degrees. By default the division does not look at the width. Range: positive.
+  /// the maximum length of a boundary edge, as a multiple of the local width of its face. Longer edges are halved, down to the
+  /// minimum edge; so are edges more than 2.5 times as long as a neighbour on the loop, and edges that are longer than
+  /// one across the face by more than the distance between them. Where halves would be shorter than the minimum edge, several
+  /// edges in a row are replaced by as many more as have room, and points are moved along narrow faces to where they are
+  /// opposite to the middles of edges. The points of an edge of a model are the same for all its faces.
+  /// Narrow faces thus get more triangles, without small angles. A value of 1.8 leaves room for angles of 30
+  /// degrees. By default the width of faces does not count. Range: positive.
   Parametric_surface_mesh_criteria& set_closeness(double c)
   {
     Parametric_surface_mesher::internal::check_positive("closeness", c);
@@ -176,20 +176,20 @@ public:
     return *this;
   }
 
-  /// the largest number of sweeps over the inner vertices. In the first two, before refinement for deviation, they are moved
-  /// to where the triangles around are closest to equilateral, but for moves that gain little; further ones polish: they climb
-  /// the slope of mean ratios and smallest angles, make no more triangles fail a criterion, and no smallest angle below 40
-  /// degrees smaller. Sweeps end when one moves few vertices. 0 for none. Default: 2, or 5 for a patch of at least 2000
-  /// vertices of which the second sweep has moved a fifth. For models with many smaller patches 5 in place of 2 raises the mean
-  /// smallest angle by 0.6 to 1.5 degrees, and takes 1.4 to 2.3 times as long.
+  /// the largest number of sweeps over the inner vertices, or 0 for none. The first two, before the refinement for deviation,
+  /// move vertices to where the triangles around them are closest to equilateral. Further ones, at the end, polish: they increase
+  /// mean ratios and smallest angles, make no more triangles fail a criterion, and do not decrease smallest angles below 40
+  /// degrees. Sweeps end when one moves few vertices. Default: 2, or 5 for a patch of at least 2000 vertices of which
+  /// the second sweep has moved a fifth. On models of many smaller patches 5 sweeps instead of 2 raise the mean smallest angle
+  /// by 0.6 to 1.5 degrees, in 1.4 to 2.3 times the time.
   Parametric_surface_mesh_criteria& set_max_number_of_sweeps(unsigned int n)
   {
     m_improvement.max_number_of_sweeps = n;
     return *this;
   }
 
-  /// the smallest angle, in degrees, that is aimed at after refinement, by moves and flips around the triangles below it.
-  /// It is no criterion: what misses it is not reported. 0 to improve only triangles that fail a criterion. Default: 40.
+  /// the smallest angle, in degrees, that the improvement aims at, by moves and flips around the triangles below it. It is not
+  /// a criterion: triangles below it are not reported. With 0 only triangles that fail a criterion are improved. Default: 40.
   /// Range: at least 0 and below 60.
   Parametric_surface_mesh_criteria& set_improvement_angle(double degrees)
   {
@@ -198,8 +198,8 @@ public:
     return *this;
   }
 
-  /// a limit of the time spent on the improvement of each patch, in seconds, after which no sweep begins and no
-  /// triangle is improved; with it the mesh depends on the speed of the machine. Default: none. Range: at
+  /// the largest time spent on the improvement of each patch, in seconds; afterwards no sweep begins and no triangle is
+  /// improved. With such a limit the mesh depends on the speed of the machine. Default: none. Range: at
   /// least 0.
   Parametric_surface_mesh_criteria& set_improvement_time(double seconds)
   {
@@ -208,19 +208,19 @@ public:
     return *this;
   }
 
-  /// the last guard against a mesh too large for the machine: a limit on the vertices of each patch. Default: 20 million.
+  /// the largest number of vertices of each patch, a guard against meshes too large for the machine. Default: 20 million.
   Parametric_surface_mesh_criteria& set_max_number_of_vertices(std::size_t n)
   {
     m_execution.max_number_of_vertices = n;
     return *this;
   }
 
-  /// how many triangles a patch may have, by an estimate, before it is split into parts of up to half as many, or a fiftieth
-  /// of the patch if that is more, that are meshed by themselves, at the same time where there are threads, and joined. The
-  /// split depends on the patch and the criteria alone, and leaves no trace but in the order of vertices and faces, and up to
-  /// some 15 percent more triangles where sizes differ much within a patch. Patches with collapsed sides and no chart, or
-  /// with loops that touch, are not split. 0 for never. Default: 100000 with frontal placement; 2 million with the others,
-  /// which are placed cell by cell of the domain whatever the size, so that parts are for threads alone.
+  /// the largest number of triangles, by an estimate, of a patch that is not split; 0 if patches are never split. The parts of
+  /// larger patches have up to half as many triangles, or a fiftieth of the patch if that is more; they are meshed
+  /// independently, by several threads if there are some, and joined. The split depends on the patch and the criteria alone.
+  /// It changes the order of vertices and faces, and makes up to 15 percent more triangles where sizes differ much within a
+  /// patch. Patches with collapsed sides and no chart, or with loops that touch, are not split.
+  /// Default: 100000 with frontal placement, whose speed depends on the size of parts; 2 million with the others.
   Parametric_surface_mesh_criteria& set_part_size(std::size_t number_of_triangles)
   {
     m_execution.part_size = number_of_triangles;

@@ -63,8 +63,8 @@ public:
     bool is_collapsed = false; ///< whether it is a point in space
     /// the curve that is divided; without it, the image of the first use's curve
     std::shared_ptr<const Space_curve> curve = nullptr;
-    double tolerance = 0; ///< how far apart its uses may be, if more than the model's tolerance
-    double max_edge = 0;  ///< the longest edge of its division, if less than that of the criteria; 0 for none of its own
+    double tolerance = 0; ///< the largest distance between its uses, if that is more than the model's tolerance
+    double max_edge = 0;  ///< the longest edge of its division, if that is less than the criteria's; 0 if it has no own one
   };
 
   /// one use of an edge in the loop of a face.
@@ -86,7 +86,7 @@ public:
     /// Faces of one shell are joined along an edge that two of them use; those of different shells are not, and an edge
     /// with three or more uses in one shell is a border of each of its faces. So the mesh of a shell is always manifold.
     std::size_t shell = 0;
-    double max_edge = 0; ///< the wanted edge length, if less than that of the criteria; 0 for none of its own
+    double max_edge = 0; ///< the wanted edge length, if that is less than the criteria's; 0 if the face has no own one
     /// wanted edge lengths at the parameters `(u,v)`, if there is such a field, in place of that of the criteria
     std::function<double(double u, double v)> sizing_field = nullptr;
   };
@@ -154,8 +154,8 @@ public:
   /// \name Tolerance
   /// @{
 
-  /// sets how far apart in space what is to be one may be: the uses of an edge, and their ends and the vertices. 0, the
-  /// default, stands for 1e-6 of the diagonal of the model's bounding box.
+  /// sets the largest distance in space between the uses of an edge, and between their ends and the vertices. 0, the default,
+  /// stands for 1e-6 of the diagonal of the model's bounding box.
   /// \throws Parametric_surface_mesh_error if `tolerance` is negative or not finite
   void set_tolerance(double tolerance)
   {

@@ -27,21 +27,21 @@ namespace CGAL {
 /*!
 \ingroup PkgParametricSurfaceMesherMetrics
 
-The paper read literally: the ellipse has its major axis along the direction of least principal curvature
-and the ratio `k` of its half axes is that of the two principal curvatures, `k = |kappa_max| / |kappa_min|`.
+A metric field that stretches triangles along the direction of least curvature, which is the paper's definition taken
+literally: the ellipse has its major axis along the direction of least principal curvature, and the ratio of its
+half axes is that of the principal curvatures, `k = |kappa_max| / |kappa_min|`.
 
-Direction and ratio are those of the ellipse *in the tangent plane*; the tensor is its pull-back to the
-domain. Where the parametrisation is an isometry that is eq. (5) of the paper to the letter; elsewhere
-the letter would depend on the parametrisation chosen for one and the same surface.
+Direction and ratio are those of the ellipse *in the tangent plane*, and the tensor is its pull-back to the domain, so that
+the metric does not depend on the parametrisation. Where that is an isometry, the tensor is that of eq. (5) of the paper.
 
 The metric has the area of the surface: a triangle equilateral in it is stretched in 3D by `sqrt(k)` along
 the direction of least curvature and compressed by `sqrt(k)` across. The criteria measure
 angles and sizes in it, so a mesh of this metric has small angles in 3D where `k` is large: fewer
 triangles for the same deviation.
 
-`k` is bounded by `max_ratio` (parabolic points would have an infinite one, cylinders for instance). At umbilics, flat
-points and singular points of the parametrisation there is no direction, `k = 1` is taken and
-the tensor is the first fundamental form. Near an umbilic `k` tends to 1, so the field is continuous there; at a flat
+`k` is bounded by `max_ratio`, since it is infinite at parabolic points, for instance on cylinders. At umbilics, flat points and
+singular points of the parametrisation no direction is distinguished; there `k` is 1 and the tensor is the first
+fundamental form. Near an umbilic `k` tends to 1, so the field is continuous there; at a flat
 point it need not be.
 
 \cgalModels `ParametricSurfaceMetricField_2`

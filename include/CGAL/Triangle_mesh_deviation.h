@@ -184,7 +184,7 @@ private:
 /*!
 \ingroup PkgParametricSurfaceMesherQuality
 
-measures how far a mesh lies from its parametric surface. Nothing is taken over from the mesher.
+measures how far a mesh lies from its parametric surface, independently of the mesher.
 
 The surface is sampled at the points whose barycentric coordinates in a domain triangle are
 multiples of `1/subdivisions`: `(subdivisions+1)(subdivisions+2)/2` points for each face, its corners and points

@@ -23,22 +23,23 @@ namespace CGAL {
 makes a model of the faces of a shape: its vertices, its edges with their curves in space, and its faces with their curves
 in the domain. The shape is not changed.
 
-- Seams, degenerated edges, reversed faces, and locations are honoured. The faces of each shell become a shell of
-the model; faces outside of shells become one together. A face between two solids is in both of their shells.
-- Vertices and edges are trusted within their tolerances. The distances of curves in domains from their edges are
-measured; where they are larger than the tolerance says the edge is listed in `Open_cascade_model_3::gaps`.
-- Curves in domains that are missing, or farther off than 1e-4 of the diagonal (and ten times the tolerance), are made anew
-by projection.
-- Faces of spheres may get other parameters than those of the file: by a stereographic projection, where there is no seam or
-the boundary runs through a pole.
+- Seams, degenerated edges, reversed faces, and locations are respected. The faces of each shell become a shell of
+the model; faces outside of shells become one shell together. A face between two solids is in both of their shells.
+- Vertices and edges are trusted within their tolerances. The distances between curves in domains and their edges are
+measured; edges with distances above the tolerance are listed in `Open_cascade_model_3::gaps`.
+- Curves in domains that are missing, or farther off than 1e-4 of the diagonal (and ten times the tolerance), are replaced
+by projections of the edge.
+- A face of a sphere without a seam, or with a boundary through a pole, gets the parameters of a stereographic projection
+instead of those of the file.
 - A face that is nowhere wider than a millionth of the diagonal is closed up, so that its neighbours meet without a gap: of
 two edges side by side one takes the place of both, or several that of one along them, and shorter edges become a vertex.
-The face is listed in `Open_cascade_model_3::closed_up`, and not in the model. It stays and is meshed, like those beside
+The face is listed in `Open_cascade_model_3::closed_up` and is not in the model. It stays and is meshed, like those beside
 it, if several edges on one side end at other places than several on the other one, if a neighbour would be left with an
 edge there and back, or if it is wider than this together with others that are closed up.
-- Other edges as short become a vertex, too, unless nothing, or two edges side by side, would be left of a loop.
-- A face that cannot be built, or where the kernel throws an exception, is left out and listed with its reason. It does
-not matter for the others.
+- Other edges that are no longer than this become a vertex, too, unless nothing, or two edges side by side, would be left
+of a loop.
+- A face that cannot be built, or for which Open CASCADE throws an exception, is left out and listed with the reason. The
+other faces do not depend on it.
 
 \param shape a shape with faces
 \param closed_up_width the largest width of faces that are closed up, and length of edges that become a vertex, over the

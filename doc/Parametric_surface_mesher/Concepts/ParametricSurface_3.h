@@ -3,8 +3,8 @@
 \cgalConcept
 
 A surface in space given by a parametrisation `S : (u,v) -> R^3`, twice differentiable
-wherever it is evaluated. Both functions must be deterministic; they are called once for
-each point of the mesh (`jet()`) and once for each edge whose deviation is looked at (`point()`).
+wherever it is evaluated. Both functions must be deterministic. `jet()` is called for each point that the mesher
+tries, and on the boundary more often; most calls of `point()` are made to test the deviation of edges.
 
 A surface need not check its arguments. A value that is not finite is found by the
 mesher and refused with a `CGAL::Parametric_surface_mesh_error` that names the parameter values.
