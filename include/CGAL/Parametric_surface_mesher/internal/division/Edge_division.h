@@ -35,12 +35,12 @@ struct Edge_division
 {
   std::vector<double> parameters;
   std::vector<typename Kernel::Point_3> points;
-  double smallest_piece = 0;         // in the parameter
+  double smallest_piece = 0;         // in parameters: pieces are not halved below this
   bool keeps_first_piece = false, keeps_last_piece = false;
 };
 
-// Divides the edges of a model, each once: its curve in space, or that on the first face that uses it, with the sizes of all
-// faces that do.
+// Divides the edges of a model. Each edge is divided once, along its own curve in space or else its image on the first face that
+// uses it, with the sizes of all faces that use it.
 template <class Oracle>
 class Edge_divider
 {
@@ -53,14 +53,16 @@ private:
   typedef typename Model::Edge_use Edge_use;
   typedef typename Model_uses<Model>::Use Use;
 
-  static constexpr double smallest_share = 1. / 4096; // of a piece that is halved again and again
+  // The squared ratio of two pieces that count as equally long: 1.05 for the lengths.
+  static constexpr double squared_ratio_of_equal_pieces = 1.1;
+  static constexpr double smallest_share = 1. / 4096; // pieces are halved 12 times at most
 
   const Model& m_model;
-  const std::vector<Oracle>& m_oracles; // of the faces
+  const std::vector<Oracle>& m_oracles; // by face
   const Parametric_surface_mesh_criteria& m_criteria;
   Model_uses<Model> m_uses;
   std::vector<Parametric_surface_mesh_criteria> m_face_criteria;
-  std::vector<Boundary_size<Oracle>> m_sizes; // of the faces
+  std::vector<Boundary_size<Oracle>> m_sizes; // by face
 
 public:
   Edge_divider(const Model& model, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria)
@@ -75,10 +77,10 @@ public:
 
   const Model_uses<Model>& uses() const { return m_uses; }
 
-  // around the loops of a face in its domain
+  // The bounding box of the loops of a face in its domain.
   const Bbox_2& box(std::size_t face) const { return m_sizes[face].box(); }
 
-  // 0 if the number of pieces is not prescribed
+  // The prescribed number of pieces, or 0 if there is none.
   std::size_t prescribed_number(std::size_t edge) const
   {
     std::size_t result = 0;
@@ -87,7 +89,7 @@ public:
     return result;
   }
 
-  // at a parameter of the curve of an edge
+  // The point of an edge at a parameter of its curve.
   typename Kernel::Point_3 point(std::size_t edge, double t) const
   {
     return with_curve(edge, [&](const auto& curve) { return curve.point(t); });
@@ -120,7 +122,7 @@ public:
     return division;
   }
 
-  // makes the first two pieces at an end one, where that end is a pointed apex
+  // Joins the first two pieces at an end that is a pointed apex.
   void join_at_apexes(std::size_t edge, std::size_t least_number_of_pieces, const Pointed_apexes<Model>& apexes,
                       Edge_division<Kernel>& division) const
   {
@@ -133,7 +135,7 @@ public:
       };
       const std::size_t vertex = is_at_source ? m_model.edges()[edge].source : m_model.edges()[edge].target;
       const double length = std::sqrt(squared_length(0, 2));
-      if(length <= criteria_of_edge(edge).max_edge() && squared_length(1, 2) < 1.1 * squared_length(0, 1)
+      if(length <= criteria_of_edge(edge).max_edge() && squared_length(1, 2) < squared_ratio_of_equal_pieces * squared_length(0, 1)
          && apexes.asks_for_one_piece(edge, vertex, length, m_criteria.min_edge())) {
         division.parameters.erase(division.parameters.begin() + (is_at_source ? 1 : n - 1));
         division.points.erase(division.points.begin() + (is_at_source ? 1 : n - 1));
@@ -152,7 +154,7 @@ private:
     return function(Curve_on_surface_3<Surface>(m_oracles[use.face].surface(), use.use->curve));
   }
 
-  // with the smallest of the sizes that the edge and its faces have of their own
+  // The criteria with the smallest of the sizes that the edge and its faces have.
   Parametric_surface_mesh_criteria criteria_of_edge(std::size_t edge) const
   {
     Parametric_surface_mesh_criteria result = m_criteria;

@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The divided edges of a model, as the faces and the mesh see them.
+// The divided edges of a model, with the indices of their points in the mesh and the boundaries of faces that they form.
 template <class Oracle>
 class Model_division
 {
@@ -41,7 +41,7 @@ public:
   typedef typename Model::Edge_use Edge_use;
   typedef typename Kernel::Point_3 Point_3;
 
-  // a piece of a divided edge, from its point `number` to the next one
+  // A piece of a divided edge, from its point `number` to the next one.
   struct Piece
   {
     std::size_t edge, number;
@@ -60,10 +60,10 @@ private:
 
   const Model& m_model;
   Edge_divider<Oracle> m_divider;
-  std::vector<Edge_division<Kernel>> m_divisions;          // of the edges
-  std::vector<std::vector<Domain_points>> m_domain_points; // of the edges, for each use; curves are asked once
-  std::vector<std::size_t> m_first_inner_indices; // in the mesh, of the second points of the edges
-  std::vector<std::size_t> m_vertex_indices;      // in the mesh
+  std::vector<Edge_division<Kernel>> m_divisions;          // by edge
+  std::vector<std::vector<Domain_points>> m_domain_points; // by edge and use, so that each curve is evaluated once
+  std::vector<std::size_t> m_first_inner_indices; // by edge: the index in the mesh of its first inner point
+  std::vector<std::size_t> m_vertex_indices;      // by vertex of the model: its index in the mesh
   std::size_t m_number_of_points = 0;
   std::set<std::size_t> m_changed_edges; // see `take_changed_faces()`
 
@@ -91,7 +91,7 @@ public:
   const Model_uses<Model>& uses() const { return m_divider.uses(); }
   std::size_t number_of_points() const { return m_number_of_points; }
 
-  // the number of edges of the division
+  // The number of edges of the division.
   std::size_t number_of_edges() const
   {
     std::size_t result = 0;
@@ -103,7 +103,7 @@ public:
 
   std::size_t number_of_pieces(std::size_t edge) const { return m_divisions[edge].parameters.size() - 1; }
 
-  // the index in the mesh of a point of a divided edge
+  // The index in the mesh of point `i` of a divided edge.
   std::size_t index(std::size_t edge, std::size_t i) const
   {
     return i == 0                         ? m_vertex_indices[m_model.edges()[edge].source]
@@ -111,7 +111,7 @@ public:
                                           : m_first_inner_indices[edge] + i - 1;
   }
 
-  // Indices: first the vertices that are used, then the inner points of the edges in the order of their first use.
+  // Gives indices first to the vertices that are used, then to the inner points of the edges in the order of their first use.
   void number_vertices_first()
   {
     start_numbering();
@@ -125,8 +125,8 @@ public:
       number_inner_points(e);
   }
 
-  // Indices: along the edges in the order of their first use.
-  // \pre all edges are directed as they are first used
+  // Gives indices along the edges in the order of their first use.
+  // \pre the first use of each edge runs in its direction
   void number_along_edges()
   {
     start_numbering();
@@ -138,7 +138,7 @@ public:
       number_vertex(m_model.edges()[e].target);
   }
 
-  // Halves a piece at the middle of its parameters, unless it is too short already, or the number of pieces is prescribed.
+  // Whether a piece may be halved: not if it is too short already, or if the number of pieces is prescribed.
   bool can_be_split(const Piece& piece) const
   {
     const Edge_division<Kernel>& division = m_divisions[piece.edge];
@@ -148,10 +148,11 @@ public:
 
   const std::vector<double>& parameters(std::size_t edge) const { return m_divisions[edge].parameters; }
 
-  // at a parameter of the curve of an edge
+  // The point of an edge at a parameter of its curve.
   Point_3 point(std::size_t edge, double t) const { return m_divider.point(edge, t); }
 
-  // Moves points along an edge, or puts others in their place. \pre those at the ends stay
+  // Replaces the points of an edge.
+  // \pre the points at its ends are the same as before
   void set_parameters(std::size_t edge, const std::vector<double>& parameters)
   {
     Edge_division<Kernel>& division = m_divisions[edge];
@@ -165,7 +166,7 @@ public:
     number_vertices_first();
   }
 
-  // Marks a piece, if it is at an end of its edge, as one that had better stay whole.
+  // Marks a piece as one that should not be halved, if it is at an end of its edge.
   void keep(const Piece& piece)
   {
     Edge_division<Kernel>& division = m_divisions[piece.edge];
@@ -180,7 +181,8 @@ public:
            || (piece.number + 1 == number_of_pieces(piece.edge) && division.keeps_last_piece);
   }
 
-  // \pre all can be split; they are in order
+  // Halves pieces.
+  // \pre all of them can be split, and they are in ascending order
   template <class Pieces>
   void split(const Pieces& pieces)
   {
@@ -194,7 +196,7 @@ public:
     number_vertices_first();
   }
 
-  // the faces with an edge that was divided, or divided anew, since this was called last
+  // The faces with edges whose division has changed since the last call.
   std::vector<std::size_t> take_changed_faces()
   {
     std::set<std::size_t> result;
@@ -205,7 +207,7 @@ public:
     return std::vector<std::size_t>(result.begin(), result.end());
   }
 
-  // the faces that use the edges of pieces
+  // The faces that use the edges of these pieces.
   template <class Pieces>
   std::vector<std::size_t> faces_at(const Pieces& pieces) const
   {
@@ -216,12 +218,13 @@ public:
     return std::vector<std::size_t>(result.begin(), result.end());
   }
 
-  // the divided boundary of a face
+  // The divided boundary of a face.
   Boundary_loops<Kernel> boundary_loops(std::size_t face) const
   {
     Boundary_loops<Kernel> result;
-    std::map<std::size_t, Domain_points> corners; // domain points of each vertex
-    const double tolerance = 1e-9 * (m_divider.box(face).x_span() + m_divider.box(face).y_span());
+    std::map<std::size_t, Domain_points> corners; // the domain points of each vertex
+    const double rounding = 1e-9; // of points at the ends of curves, relative to the domain
+    const double tolerance = rounding * (m_divider.box(face).x_span() + m_divider.box(face).y_span());
     for(const auto& loop : m_model.faces()[face].loops) {
       result.emplace_back();
       result.back().reserve(number_of_segments(loop));
@@ -234,7 +237,7 @@ public:
     return result;
   }
 
-  // the piece that a segment of the boundary of a face is
+  // The piece of an edge that is this segment of the boundary of a face.
   Piece piece(std::size_t face, std::size_t loop, std::size_t segment) const
   {
     auto use = m_model.faces()[face].loops[loop].begin();
@@ -243,16 +246,16 @@ public:
     return {use->edge, use->is_reversed ? number_of_pieces(use->edge) - 1 - segment : segment};
   }
 
-  // of a divided edge
+  // The points of a divided edge.
   const std::vector<Point_3>& points(std::size_t edge) const { return m_divisions[edge].points; }
 
-  // Whether an edge that is used has this vertex of the model.
+  // Whether a vertex of the model belongs to an edge that is used.
   bool is_used(std::size_t vertex) const { return m_vertex_indices[vertex] != no_index; }
 
-  // the index in the mesh of a vertex of the model that is used
+  // The index in the mesh of a vertex of the model that is used.
   std::size_t vertex_index(std::size_t vertex) const { return m_vertex_indices[vertex]; }
 
-  // Vertices where several pieces of the mesh may meet: those of the model, and all of edges that are not manifold.
+  // The vertices at which several pieces of the mesh may meet: those of the model, and all those on edges that are not manifold.
   std::vector<std::size_t> meeting_points() const
   {
     std::vector<std::size_t> result;
@@ -348,7 +351,7 @@ private:
     points.swap(result);
   }
 
-  // the points of a use but for its last one, which begins the next use
+  // Appends the points of a use except for the last one, with which the next use begins.
   void append(const Edge_use& use, std::vector<Boundary_vertex<Kernel>>& loop) const
   {
     const Edge_division<Kernel>& division = m_divisions[use.edge];
@@ -366,7 +369,7 @@ private:
                            [this](std::size_t n, const Edge_use& use) { return n + number_of_pieces(use.edge); });
   }
 
-  // Loops that touch in a vertex have exactly the same point there.
+  // Makes loops that touch in a vertex have exactly the same point there.
   static void snap(Boundary_vertex<Kernel>& vertex, Domain_points& corners, double tolerance)
   {
     for(const auto& corner : corners)

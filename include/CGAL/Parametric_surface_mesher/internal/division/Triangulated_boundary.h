@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Evaluates the metric alone.
+// Evaluates the metric at a point, without the spacing.
 template <class Oracle>
 class Metric_evaluator
 {
@@ -68,7 +68,7 @@ public:
   struct Loop
   {
     std::vector<Vertex_handle> vertices;
-    std::vector<std::size_t> segments; // in the domain, from each vertex; a chart leaves out those between copies of a pole
+    std::vector<std::size_t> segments; // by vertex: the index in the domain of the segment that begins there; a chart has none between copies of a pole
   };
 
 private:
@@ -83,7 +83,7 @@ private:
   std::vector<Loop> m_loops;
 
 public:
-  // `loops`: in the domain
+  // Changes the triangulation to that of these loops, which are in the domain.
   void update(const Oracle& oracle, const Boundary_loops<Kernel>& loops)
   {
     const Surface surface(oracle.surface(), find_chart(oracle.surface(), loops));
@@ -99,7 +99,7 @@ public:
     }
   }
 
-  // The triangulation of the loops that `update()` was called with last, which is gone from here.
+  // Moves the triangulation of the loops of the last `update()` out of this object.
   Boundary_triangulation<Kernel> take()
   {
     Boundary_triangulation<Kernel> result;
@@ -113,7 +113,7 @@ public:
   const Triangulation& triangulation() const { return *m_triangulation; }
   const std::vector<Loop>& loops() const { return m_loops; }
 
-  // in space
+  // The distance in space.
   static double length(Vertex_handle v, Vertex_handle w)
   {
     return std::sqrt(squared_distance(v->point().surface_point(), w->point().surface_point()));
@@ -142,7 +142,7 @@ private:
     });
   }
 
-  // Returns false if more has changed, or a segment that a middle was put in the way of is no edge.
+  // Returns false if the loops differ in more than inserted middles, or if a segment with a new middle is no edge.
   template <class Evaluator>
   bool put_in_middles(const Boundary_loops<Kernel>& loops, const Evaluator& evaluate)
   {
@@ -165,7 +165,7 @@ private:
     return vertex->point().x() == p.x() && vertex->point().y() == p.y();
   }
 
-  // in their order, the first one first
+  // Whether the vertices occur among the points of the loop in their order, beginning with the first one.
   static bool are_among(const std::vector<Vertex_handle>& vertices, const std::vector<Vertex>& loop)
   {
     if(!is_at(vertices.front(), loop.front().domain_point))
@@ -176,7 +176,7 @@ private:
     return next == vertices.end();
   }
 
-  // A point may be put in under tensors that vary: each flip is at its vertex.
+  // Points may be inserted under varying tensors, since each flip is at the new vertex.
   template <class Evaluator>
   void put_in_middles(const std::vector<Vertex>& loop, const Evaluator& evaluate, std::vector<Vertex_handle>& vertices)
   {
@@ -186,7 +186,7 @@ private:
       if(next != vertices.end() && is_at(*next, vertex.domain_point))
         result.push_back(*next++);
       else {
-        if(result.back() == *(next - 1)) // the first middle of its segment
+        if(result.back() == *(next - 1)) // this is the first middle of its segment
           set_constraint(result.back(), next != vertices.end() ? *next : vertices.front(), false);
         const Point point = evaluate(vertex.domain_point, vertex.surface_point, 0).point;
         result.push_back(m_triangulation->insert(point, result.back()->face()));
@@ -209,7 +209,7 @@ private:
     return true;
   }
 
-  // returns false if there is no such edge
+  // Returns false if there is no such edge.
   bool set_constraint(Vertex_handle v, Vertex_handle w, bool is_constrained)
   {
     Face_handle face;

@@ -31,6 +31,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
+// Relative: points closer than this are the same point, computed in different ways.
+constexpr double rounding_of_end_points = 1e-9;
+
 // The largest absolute coordinate of the end points of curves of a domain; tolerances of gaps are relative to it.
 template <class Kernel>
 double extent(const Parametric_domain_2<Kernel>& domain)
@@ -46,7 +49,7 @@ double extent(const Parametric_domain_2<Kernel>& domain)
 template <class Kernel>
 void close_loops(Parametric_domain_2<Kernel>& domain)
 {
-  const double tolerance = 1e-9 * extent(domain);
+  const double tolerance = rounding_of_end_points * extent(domain);
   for(std::size_t l = 0; l < domain.loops().size(); ++l) {
     auto& loop = domain.loops()[l];
     if(loop.empty())
@@ -110,7 +113,7 @@ private:
     Bbox_3 box;
     for_each_curve([&](const auto& curve) { box += curve_box(m_surface, curve); });
     for_each_curve([&](const auto& curve) {
-      m_is_collapsed.push_back(diagonal(curve_box(m_surface, curve)) <= 1e-9 * diagonal(box));
+      m_is_collapsed.push_back(diagonal(curve_box(m_surface, curve)) <= rounding_of_end_points * diagonal(box));
     });
   }
 
@@ -118,7 +121,7 @@ private:
   {
     std::vector<typename Kernel::Point_2> sources;
     for_each_curve([&](const auto& curve) { sources.push_back(curve.source()); });
-    m_sources = group_points(sources, 1e-9 * extent(m_domain));
+    m_sources = group_points(sources, rounding_of_end_points * extent(m_domain));
     std::size_t first = 0;
     for(const auto& loop : m_domain.loops()) {
       for(std::size_t i = 0; i < loop.size(); ++i)
