@@ -84,10 +84,10 @@ The surface of a function of two variables; the derivatives come from automatic 
 
 The function is a template in the types of `u` and `v`: a generic lambda. It is called with two `double`s for a
 point, and with two numbers that carry derivatives, both of one type, for the jet. So it should declare its intermediate
-values `auto`, and make the standard functions visible by `using std::exp;` and the like. These functions there are: `sqrt`,
+values `auto`, and make the standard functions visible by `using std::exp;` and the like. Available functions are `sqrt`,
 `cbrt`, `pow`, `hypot`, `exp`, `exp2`, `expm1`, `log`, `log1p`, `log2`, `log10`, `sin`, `cos`, `tan`, `asin`, `acos`, `atan`,
 `atan2`, `sinh`, `cosh`, `tanh`, `asinh`, `acosh`, `atanh`, `erf`, `erfc`, `abs`, `fabs`, `floor`, `ceil`, `round`, `trunc`,
-`fmod`, `fmin`, `fmax`, and comparisons. What would turn such a number into a `double` does not compile.
+`fmod`, `fmin`, `fmax`, and comparisons. Code that would turn such a number into a `double` does not compile.
 
 \code
 auto peak = CGAL::make_parametric_function_surface([](auto u, auto v) {
@@ -96,11 +96,11 @@ auto peak = CGAL::make_parametric_function_surface([](auto u, auto v) {
 });
 \endcode
 
-Anything else that holds three coordinates and has an `operator[]` or `std::get()` will do as return type, such
-as `std::array{x, y, z}` where all three depend on `u` or `v`.
+The return type may be any type of three coordinates with an `operator[]` or `std::get()`, for instance
+`std::array{x, y, z}` if all three depend on `u` or `v`.
 
-Automatic differentiation is exact up to rounding, and costs some three to four times as much as the point alone.
-`Parametric_jet_surface_3` takes derivatives worked out by hand.
+Automatic differentiation is exact up to rounding, and costs three to four times as much as the point alone.
+`Parametric_jet_surface_3` takes derivatives that are worked out by hand.
 
 \tparam Function a callable `f(u, v)` as described above. It must be copyable, and its call operator `const`
 \tparam Kernel a model of `Kernel` with `double` as number type

@@ -25,16 +25,16 @@ namespace IO {
 /*!
 \ingroup PkgParametricSurfaceMesherOpenCascade
 
-reads a shape from a STEP (`.step`, `.stp`), IGES (`.iges`, `.igs`) or BREP file (`.brep`, `.rle`); capitals do as well.
+reads a shape from a STEP (`.step`, `.stp`), IGES (`.iges`, `.igs`) or BREP file (`.brep`, `.rle`). The ending may be in capitals.
 
-The file is read in a process of its own where the system has such (POSIX): Open CASCADE may crash on a damaged file, or never
-come back, and this ends in an exception here. Reading has 10 seconds of processor time and 5 for each megabyte.
+On POSIX systems the file is read in a process of its own: if Open CASCADE crashes on a damaged file, or does not end, this
+function throws an exception. The limit of the processor time is 10 seconds and 5 more for each megabyte.
 
 \param file_name the name of the file
-\param unit the unit of length of the result: STEP and IGES files name theirs, and lengths are converted. A BREP file has
-            no unit and is taken as it is.
-\param faults takes a sentence for each kind of thing that is in the file, and not in the shape: faces that could not be read,
-              damaged loops, an end that is missing. It is empty for a file that was read whole.
+\param unit the unit of length of the result. Lengths in STEP and IGES files are converted from the unit of the file; a BREP
+            file has no unit, and its lengths are not changed.
+\param faults takes a sentence for each kind of thing that is in the file but not in the shape: faces that could not be read,
+              damaged loops, a missing end. It is empty for a file that was read completely.
 
 \throws Parametric_surface_mesh_error if the file cannot be read or contains no shape
 */
@@ -54,7 +54,7 @@ inline TopoDS_Shape read_open_cascade_shape(const std::string& file_name, const 
 /*!
 \ingroup PkgParametricSurfaceMesherOpenCascade
 
-does the same, and takes no file of which something is missing.
+reads a shape as above, and throws an exception if anything of the file could not be read.
 
 \throws Parametric_surface_mesh_error if the file cannot be read, contains no shape, or something of it could not be read
 */
