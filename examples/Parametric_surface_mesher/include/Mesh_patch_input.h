@@ -104,7 +104,7 @@ inline Mesh_patch_input named_surface(const Mesh_patch_options& options)
   if(contains(sample_model_names(), options.surface))
     return model_input(options.surface, divided(make_sample_model(options.surface), options).model);
   if(!contains(sample_patch_names(), options.surface))
-    throw Usage_error("'" + options.surface + "' is no surface: give a file that ends in .bpt or one of "
+    throw Usage_error("'" + options.surface + "' is not a surface: expected a file that ends in .bpt or one of "
                       + joined(all_sample_names()));
   Sample sample = divided(make_sample(options.surface), options);
   std::vector<Mesh_patch_input::Patch> patches = {{sample.surface, false}};
@@ -161,7 +161,7 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_patch_opt
   CGAL::Parametric_surface_mesh_criteria criteria;
   const double max_edge = options.max_edge > 0 ? options.max_edge : default_max_edge(input);
   if(!(max_edge > 0) || !std::isfinite(max_edge))
-    throw Usage_error(input.name + " has no extent to take the default of --max-edge from");
+    throw Usage_error(input.name + " is a point, so that --max-edge has no default");
   if(options.min_edge > max_edge)
     throw Usage_error("--min-edge must not be larger than --max-edge, which is " + std::to_string(max_edge) + " by default");
   criteria.set_max_edge(max_edge);
