@@ -311,6 +311,31 @@ TEST_F(Mesh_patch_program, joins_the_patches_of_the_teapot)
   EXPECT_EQ(result.at("inverted_triangles"), 0);
 }
 
+// What the README says of the meshes that scripts/demo.sh makes.
+TEST_F(Mesh_patch_program, makes_the_angles_that_the_readme_promises)
+{
+  const std::string readme = content(PARAMETRIC_SURFACE_MESHER_DATA_DIR "/../../../README.md"), words = "angles down to ";
+  ASSERT_NE(readme.find(words), std::string::npos);
+  const double smallest = std::stod(readme.substr(readme.find(words) + words.size()));
+  const nlohmann::json teapot_mesh = json(std::string(teapot) + " --quiet --max-edge 0.12 --gamma 0.1 --out teapot.off");
+  EXPECT_LT(teapot_mesh.at("min_angle"), 30);
+  EXPECT_GE(teapot_mesh.at("min_angle"), smallest - 0.5);
+  Mesh mesh;
+  ASSERT_TRUE(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file("teapot.off"), mesh));
+  std::size_t below_30 = 0;
+  for(const auto face : mesh.faces()) {
+    double least = 180;
+    for(const auto h : mesh.halfedges_around_face(mesh.halfedge(face)))
+      least = (std::min)(least, CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                                        mesh.point(mesh.target(mesh.next(h)))));
+    below_30 += least < 30 - 1e-6;
+  }
+  EXPECT_GT(below_30, 0u);
+  EXPECT_LE(below_30, teapot_mesh.at("boundary_limited").get<std::size_t>() + teapot_mesh.at("unmet").get<std::size_t>());
+  for(const char* others : {"bend --max-edge 0.0304", "peak --max-edge 0.0455", "hole --max-edge 0.0477", "cap --max-edge 0.0320"})
+    EXPECT_GE(json(std::string(others) + " --quiet").at("min_angle"), 38) << others;
+}
+
 TEST_F(Mesh_patch_program, knows_both_metrics)
 {
   EXPECT_EQ(json("torus --metric first-fundamental-form").at("metric"), "first-fundamental-form");
