@@ -5,9 +5,9 @@
 #ifndef MEASURE_CAD_MESH_H
 #define MEASURE_CAD_MESH_H
 
+#include "Aabb_tree_types.h"
+
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -49,7 +49,7 @@ namespace mesh_cad {
 
 typedef Cad_mesh::Kernel Kernel;
 typedef CGAL::Open_cascade_model_3::Model Model;
-typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Cad_mesh::Mesh>>> Tree;
+typedef Aabb_tree<Kernel, CGAL::AABB_face_graph_triangle_primitive<Cad_mesh::Mesh>> Tree;
 
 // The corners of a triangle: in space, and in the domain of its face.
 struct Triangle_corners

@@ -6,9 +6,8 @@
 #ifndef CAD_MESH_JUDGE_H
 #define CAD_MESH_JUDGE_H
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
+#include <Aabb_tree_types.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -82,7 +81,7 @@ class Cad_mesh_judge
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
   typedef Kernel::Point_3 Point_3;
   typedef std::vector<Kernel::Triangle_3> Triangles;
-  typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>> Tree;
+  typedef Aabb_tree<Kernel, Aabb_triangle_primitive<Kernel, Triangles::const_iterator>> Tree;
 
   static const int samples_in_u = 12, samples_on_edge = 24;
   static const std::size_t triangles_looked_at = 300; // of a face
