@@ -1,8 +1,8 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A steep hill over a square with a constrained outline and a constrained path across it, then points all over.
-// The triangles follow the metric of the surface, the constraints stay.
+// A steep hill over a square: first a constrained outline and a constrained path across it are inserted, then points everywhere.
+// The triangles follow the metric of the surface, and the constraints remain edges.
 //
 // Where the metric varies, insert the constraints first, with the Euclidean metric, and then the
 // points with theirs: an insertion then flips only edges opposite the new point, which always ends.

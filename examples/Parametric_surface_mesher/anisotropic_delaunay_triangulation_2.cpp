@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Random points on a wavy surface whose parametrisation is badly scaled: a step in u is at least ten times as long on
-// the surface as in the plane. The Delaunay triangulation of the parameters knows nothing about that; the
-// anisotropic one uses the first fundamental form and gives better-shaped triangles on the surface.
+// the surface as in the plane. The Delaunay triangulation of the parameters ignores this; the anisotropic one
+// uses the first fundamental form and gives better-shaped triangles on the surface.
 #include <CGAL/Anisotropic_Delaunay_triangulation_traits_2.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -30,7 +30,7 @@ Point point_on_surface(double u, double v)
                CGAL::Metric_tensor_2(du * du, du * dv, dv * dv));
 }
 
-// the mean over all triangles of the smallest angle, measured in space
+// The mean over all triangles of the smallest angle, measured in space.
 double mean_smallest_angle(const Delaunay& triangulation)
 {
   double sum = 0;
@@ -56,7 +56,7 @@ int main()
     euclidean.push_back(Point(p.domain_point(), p.surface_point(), CGAL::Metric_tensor_2()));
   }
 
-  // The range is inserted in an order of the class's own choice. Under a varying metric another order may give
+  // The class chooses the order in which the range is inserted. Under a varying metric another order may give
   // another triangulation; each of them is valid.
   const Delaunay with_metric(anisotropic.begin(), anisotropic.end());
   const Delaunay without_metric(euclidean.begin(), euclidean.end());

@@ -35,8 +35,8 @@ namespace {
 
 const double pi = 4 * std::atan(1.);
 
-// Full turns: of the torus in both directions, of the cone from its base (v = 0) to its apex, of the base from its center
-// (v = 0) to its rim.
+// All patches make full turns: the torus in both directions, the cone from its base (v = 0) to its apex, and the base from its
+// centre (v = 0) to its rim.
 std::vector<Patch> make_patches()
 {
   const double radius = 0.5, slope = pi / 4;
@@ -55,7 +55,7 @@ std::vector<Patch> make_patches()
 Mesh make_surface()
 {
   CGAL::Parametric_surface_mesh_criteria criteria;
-  // However small a triangle at the apex of the cone is, it deviates as much as a large one: there the minimum edge ends it.
+  // At the apex of the cone small triangles deviate as much as large ones, so the minimum edge limits the refinement.
   criteria.set_max_edge(0.1).set_min_edge(0.02);
   Mesh mesh;
   CGAL::make_parametric_surface_mesh(CGAL::make_model_of_rectangular_patches(make_patches()), criteria, mesh);
@@ -91,7 +91,7 @@ void run(const std::vector<std::string>& arguments)
   if(!arguments.empty() && std::filesystem::path(arguments[0]).extension() != ".vtk")
     throw std::invalid_argument("'" + arguments[0] + "' does not end in .vtk; the tetrahedra are written as a VTK file");
   Tetrahedra tetrahedra;
-  Output_files files; // refuses a bad name now, not after the work
+  Output_files files; // refuses a bad file name before the work begins
   if(!arguments.empty())
     files.add(arguments[0], [&](std::ostream& out) { write_VTK(out, tetrahedra); });
 

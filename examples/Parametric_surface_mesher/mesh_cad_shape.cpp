@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/make_parametric_surface_mesh.h>
 
-// after the headers of CGAL: those of Open CASCADE define a macro `Handle`
+// These come after the headers of CGAL, because Open CASCADE defines a macro `Handle`.
 #include <CGAL/make_model_of_open_cascade_shape.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
@@ -33,7 +33,7 @@ int main(int argc, char** argv)
   for(const auto& face : shape.left_out)
     std::cout << "face " << face.shape_face + 1 << " is left out: " << face.reason << "\n";
 
-  // wanted edge lengths by the distance from the hole's axis
+  // the wanted edge lengths depend on the distance from the axis of the hole
   shape.model.set_sizing_field([](const Kernel::Point_3& p) {
     return 0.5 + 0.2 * (std::max)(std::hypot(p.x() - 20, p.y() - 15) - 5, 0.);
   });

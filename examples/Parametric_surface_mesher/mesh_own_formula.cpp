@@ -26,7 +26,7 @@ int main()
   Domain domain({Domain::Curve::circle(Kernel::Point_2(0, 0), 1.5)});
   domain.add_hole(Domain::polygon({{0.5, 0.5}, {0.9, 0.5}, {0.5, 0.9}}));
 
-  CGAL::Parametric_surface_mesh_criteria criteria; // no angle below 30 degrees, deviation up to 5 % of an edge
+  CGAL::Parametric_surface_mesh_criteria criteria; // angles of at least 30 degrees, deviation of at most 5 % of an edge
   criteria.set_max_edge(0.1);
 
   Mesh mesh;

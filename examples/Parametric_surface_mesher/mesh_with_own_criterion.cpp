@@ -1,8 +1,8 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A criterion of one's own beside those of the package: no edge may climb more than a given height, as contour
-// lines might want it.
+// A user-defined criterion in addition to those of the package: no edge may climb more than a given height, for instance because
+// contour lines will be drawn on the mesh.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Parametric_function_surface_3.h>
 #include <CGAL/Surface_mesh.h>
@@ -42,7 +42,7 @@ struct Climb_criteria : CGAL::Parametric_surface_mesh_criteria
       const auto z = [&](int i) { return f->vertex(i)->point().surface_point().z(); };
       quality.badness = CGAL::square(((std::max)({z(0), z(1), z(2)}) - (std::min)({z(0), z(1), z(2)})) / max_climb);
       quality.criterion = CGAL::Mesh_criterion::USER;
-      return (*this)(quality); // bad if the badness is above 1
+      return (*this)(quality); // a triangle is bad if its badness is above 1
     }
   };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A sphere patch with edges that grow from the south to the north, by a sizing field over the parameters. A visitor shows
-// progress and stops the refinement at a number of vertices; what is there then is a valid mesh.
+// progress and stops the refinement at a number of vertices; the result is a valid mesh.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Parametric_primitive_surfaces_3.h>
 #include <CGAL/Surface_mesh.h>

@@ -22,7 +22,7 @@ std::string number(const char* format, double value)
   return text;
 }
 
-// how many: a number, a list, or one of either for each cause
+// The count in a result, which may be a number, a list, or an object with one of these for each cause.
 long count(const nlohmann::json& value)
 {
   if(value.is_number())
@@ -35,7 +35,7 @@ long count(const nlohmann::json& value)
   return sum;
 }
 
-// the name of the file without folder and ending
+// The name of the file without its folder and ending.
 std::string stem(const std::string& path)
 {
   const std::size_t begin = path.find_last_of("/\\") + 1; // 0 if there is none

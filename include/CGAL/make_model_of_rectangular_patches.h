@@ -36,7 +36,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The box of nine points of a patch: its corners alone can be one point.
+// The bounding box of nine points of a patch. Its four corners alone may all be the same point.
 template <class Surface>
 Bbox_3 box_of_patch(const Surface& s)
 {
@@ -47,7 +47,7 @@ Bbox_3 box_of_patch(const Surface& s)
   return box;
 }
 
-// Finds the boundary curves that rectangular patches have in common.
+// Finds the boundary curves that rectangular patches share.
 template <class Surface>
 class Patch_matcher
 {
@@ -61,21 +61,21 @@ class Patch_matcher
   static const int number_of_samples = 9;
   typedef std::array<Point_3, number_of_samples> Samples;
 
-  // a side of a patch, counterclockwise in its domain
+  // A side of a patch, directed counterclockwise in its domain.
   struct Side
   {
     Point_2 from, to;
     Samples samples;
-    std::size_t place = 0; // number of the place in space of its source
+    std::size_t place = 0; // the index of the place in space where it begins
     std::size_t edge = 0;
     bool is_reversed = false, is_collapsed = false;
-    std::shared_ptr<const Curve> curve; // with the parameters of the edge, if its own are others
+    std::shared_ptr<const Curve> curve; // the same curve with the parameters of the edge, if these differ
   };
 
   const std::vector<Surface>& m_surfaces;
   double m_squared_tolerance;
   std::vector<Side> m_sides;              // four for each patch
-  std::vector<std::size_t> m_first_sides; // of the edges
+  std::vector<std::size_t> m_first_sides; // by edge
   Model m_model;
 
 public:
@@ -92,7 +92,7 @@ public:
     add_vertices_and_edges();
     for(std::size_t i = 0; i < m_surfaces.size(); ++i)
       m_model.add_face({m_surfaces[i], {{use(4 * i), use(4 * i + 1), use(4 * i + 2), use(4 * i + 3)}}});
-    m_model.set_tolerance((std::max)(2 * std::sqrt(m_squared_tolerance), // a side, and a corner at its end, may be off
+    m_model.set_tolerance((std::max)(2 * std::sqrt(m_squared_tolerance), // both a side and the corner at its end may be off
                                      1e-6 * model_diagonal(m_model)));
     orient_faces(m_model);
     return std::move(m_model);
@@ -123,7 +123,7 @@ private:
                        [&](const Point_3& p) { return are_close(p, side.samples.front()); });
   }
 
-  // corners closer than the tolerance are at one place
+  // Finds the places of corners: corners closer than the tolerance are at the same place.
   void number_places()
   {
     std::vector<Point_3> corners;
@@ -148,7 +148,7 @@ private:
 
   void match_sides()
   {
-    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> edges_between; // places
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> edges_between; // by the places of their ends
     for(std::size_t i = 0; i < m_sides.size(); ++i) {
       m_sides[i].is_collapsed = is_collapsed(m_sides[i]);
       const std::pair<std::size_t, std::size_t> places = std::minmax(m_sides[i].place, m_sides[next_side(i)].place);
@@ -174,7 +174,7 @@ private:
     return false;
   }
 
-  // The same curve may have another parametrisation.
+  // Matches sides that are the same curve with different parametrisations.
   bool match_by_arc_length(std::size_t i, const std::vector<std::size_t>& edges)
   {
     Side& side = m_sides[i];
@@ -196,7 +196,7 @@ private:
     return false;
   }
 
-  // Corners are one vertex if matched sides join them. Pieces that merely touch in a point keep vertices of their own there.
+  // Corners are the same vertex if matched sides join them. Pieces that only touch in a point keep separate vertices there.
   void add_vertices_and_edges()
   {
     std::vector<std::size_t> ranks(m_sides.size()), parents(m_sides.size());
@@ -210,7 +210,7 @@ private:
       if(m_sides[i].is_collapsed)
         corners.union_set(i, next_side(i));
     }
-    std::map<std::size_t, std::size_t> vertices; // of representatives
+    std::map<std::size_t, std::size_t> vertices; // by representative
     for(std::size_t i = 0; i < m_sides.size(); ++i)
       if(vertices.count(corners.find_set(i)) == 0)
         vertices[corners.find_set(i)] = m_model.add_vertex(corner(i));

@@ -45,20 +45,20 @@
 struct Mesh_cad_result
 {
   CGAL::Open_cascade_model_3 shape;
-  CGAL::Parametric_surface_mesh_criteria criteria; // with the sizes in effect
+  CGAL::Parametric_surface_mesh_criteria criteria; // with the default sizes filled in
   Cad_mesh mesh;
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
   Cad_mesh_measures measures;
-  std::vector<std::string> file_faults; // what is in the file, and not in the shape
+  std::vector<std::string> file_faults; // what the file contains and the shape lacks
   std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
-  std::size_t number_of_sewn_edges = 0, number_of_lost_faces = 0; // by sewing
+  std::size_t number_of_sewn_edges = 0, number_of_lost_faces = 0; // joined and lost by sewing
   double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, measuring_seconds = 0;
 };
 
 namespace mesh_cad {
 
-// of this process and of those it has waited for: files are read in one
+// The processor time of this process and of the finished ones that it started, which read files.
 inline double processor_seconds()
 {
   double result = 0;
@@ -86,7 +86,7 @@ inline void check_numbers(const std::string& option, std::size_t largest, std::s
                       + mesh_patch::plural(number, what));
 }
 
-// Removes the faces that are not asked for.
+// Removes the faces that the user does not want.
 inline void select_faces(const std::set<std::size_t>& wanted, CGAL::Open_cascade_model_3& shape)
 {
   if(wanted.empty())
@@ -150,7 +150,7 @@ inline void check_spheres(const Size_spheres& spheres, const CGAL::Parametric_su
   throw Usage_error(message.str());
 }
 
-// As long as it lives, nothing is printed: Open CASCADE's readers write what they think about a file to std::cout.
+// Suppresses the messages about a file that Open CASCADE's readers write to std::cout, as long as the object exists.
 class Silence
 {
   std::ostringstream m_nowhere;
@@ -159,14 +159,14 @@ class Silence
 public:
   Silence() : m_buffer(std::cout.rdbuf(m_nowhere.rdbuf()))
   {
-    Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); // for good
+    Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); // permanently
   }
   ~Silence() { std::cout.rdbuf(m_buffer); }
   Silence(const Silence&) = delete;
   Silence& operator=(const Silence&) = delete;
 };
 
-// 0 for no sewing: the faces of IGES files alone have no edges in common
+// The tolerance of sewing, or 0 if the shape is not sewn. By default only IGES files are sewn, whose faces have no common edges.
 inline double sewing_tolerance(const Mesh_cad_options& options, const TopoDS_Shape& shape)
 {
   if(options.sewing_tolerance >= 0)
@@ -191,7 +191,7 @@ inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result&
   return options.is_healing_wanted ? CGAL::repair_open_cascade_shape(shape) : shape;
 }
 
-// number and reason
+// The number of the face and the reason.
 inline std::string closed_up_text(const CGAL::Open_cascade_model_3::Closed_up_face& face)
 {
   std::ostringstream text;

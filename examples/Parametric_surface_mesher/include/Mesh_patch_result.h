@@ -32,18 +32,18 @@ struct Mesh_patch_result
 {
   typedef CGAL::Circumellipse_2<Sample_kernel> Ellipse;
 
-  CGAL::Parametric_surface_mesh_criteria criteria; // with the sizes in effect
+  CGAL::Parametric_surface_mesh_criteria criteria; // with the default sizes filled in
   Mesh mesh;
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
-  CGAL::Triangle_mesh_deviation deviation; // of all patches
-  std::deque<Patch_triangles> patches;     // which cannot be moved in memory
-  std::vector<std::vector<Ellipse>> ellipses; // of the patches
+  CGAL::Triangle_mesh_deviation deviation; // over all patches
+  std::deque<Patch_triangles> patches;     // in a deque, since they cannot be moved in memory
+  std::vector<std::vector<Ellipse>> ellipses; // by patch
 };
 
 namespace mesh_patch {
 
-// Adds what was measured on one patch to the whole.
+// Adds the measurements of one patch to those of all.
 inline void add(const CGAL::Triangle_mesh_deviation& d, CGAL::Triangle_mesh_deviation& sum)
 {
   sum.max_inner_deviation_ratio = (std::max)(sum.max_inner_deviation_ratio, d.max_inner_deviation_ratio);
@@ -63,7 +63,7 @@ struct Triangle_position
   std::size_t patch;
   Mesh::Face_index face;
   double u, v;
-  double squared_distance; // to the triangles chosen so far
+  double squared_distance; // from the triangles chosen so far
 };
 
 inline std::vector<Triangle_position> triangle_positions(const Mesh_patch_result& result)

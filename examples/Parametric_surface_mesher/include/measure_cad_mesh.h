@@ -37,12 +37,12 @@ struct Cad_mesh
 
 struct Cad_mesh_measures
 {
-  double distance = 0; // largest, from sampled points of surfaces and edges to the mesh
-  double min_angle_apart = 180; // the smallest angle but for those that sharp corners of faces force
+  double distance = 0; // the largest one from sampled points of surfaces and edges to the mesh
+  double min_angle_apart = 180; // the smallest angle, apart from those in sharp corners of faces
   std::size_t below_10 = 0, below_10_at_corners = 0; // triangles with an angle below 10 degrees
   std::size_t border_edges = 0;
-  std::vector<std::size_t> tiny_edges;   // of the model: shorter than 1e-3 of the diagonal
-  std::vector<std::size_t> sliver_faces; // of the model: 4 pi area / perimeter^2 below 0.01
+  std::vector<std::size_t> tiny_edges;   // edges of the model that are shorter than 1e-3 of the diagonal
+  std::vector<std::size_t> sliver_faces; // faces of the model with 4 pi area / perimeter^2 below 0.01
 };
 
 namespace mesh_cad {
@@ -86,8 +86,8 @@ inline std::pair<std::size_t, double> smallest_angle(const std::array<Kernel::Po
   return result;
 }
 
-// The largest squared distance, if above `known`, of surface points over the middles of the sides and the centroid to the
-// mesh. Mostly the distance to the triangle itself is short enough; around poles another one is closer.
+// The largest squared distance, if it is above `known`, between the mesh and the surface points over the middles of the sides and the
+// centroid. The distance to the triangle itself is usually short enough; around poles another triangle may be closer.
 inline double squared_distance_to_surface(const Triangle_corners& c, const CGAL::Open_cascade_surface_3& surface,
                                           const Tree& tree, double known)
 {
@@ -120,8 +120,8 @@ inline double squared_distance_to_edges(const Cad_mesh& mesh, const Model& model
   return result;
 }
 
-// The direction in space in which a use of an edge leaves its begin, or goes back from its end: of the tangent, or of the
-// chord to the point of the edge at this distance, if the edge goes that far.
+// The direction in space in which a use of an edge leaves its begin, or runs back from its end: that of the tangent or, if
+// the edge is long enough, that of the chord to its point at this distance.
 inline Kernel::Vector_3 direction(const Model& model, std::size_t face, const Model::Edge_use& use, bool is_at_begin,
                                   double distance)
 {
@@ -145,7 +145,7 @@ inline Kernel::Vector_3 direction(const Model& model, std::size_t face, const Mo
   return (is_at_source ? 1 : -1) * (c.first.x() * s.du + c.first.y() * s.dv);
 }
 
-// The corners of faces below a number of degrees: the sharpest of a face at a point.
+// The corners of faces with less than a number of degrees. Of several corners of a face at the same point the sharpest counts.
 typedef std::map<std::pair<std::size_t, Kernel::Point_3>, double> Sharp_corners;
 
 // A loop without its poles: the edges on either side of one enclose a corner.
@@ -186,7 +186,7 @@ inline Sharp_corners sharp_corners(const Model& model, double degrees, double mi
 
 inline double length(const Kernel::Vector_3& v) { return std::sqrt(v.squared_length()); }
 
-// of an edge, by the chords of some points
+// The length of an edge, by the chords between some of its points.
 inline double length(const Model::Edge& edge)
 {
   const int number_of_samples = 32;
