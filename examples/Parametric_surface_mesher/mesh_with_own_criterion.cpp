@@ -20,7 +20,7 @@ struct Climb_criteria : CGAL::Parametric_surface_mesh_criteria
   typedef CGAL::Parametric_surface_mesh_criteria Base;
   double max_climb;
 
-  explicit Climb_criteria(double max_climb) : max_climb(max_climb) {}
+  explicit Climb_criteria(double height) : max_climb(height) {}
 
   template <class Oracle>
   struct Is_bad : Base::Is_bad<Oracle>

@@ -19,7 +19,7 @@ struct Stopping_visitor : CGAL::Parametric_surface_mesh_visitor
 {
   std::size_t limit, number_of_vertices = 0;
 
-  explicit Stopping_visitor(std::size_t limit) : limit(limit) {}
+  explicit Stopping_visitor(std::size_t number) : limit(number) {}
 
   void on_phase(const char* name) { std::cout << "  " << name << "\n"; }
   void on_progress(std::size_t vertices, std::size_t waiting)

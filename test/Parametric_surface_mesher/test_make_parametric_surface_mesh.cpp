@@ -49,7 +49,7 @@ struct Stopping_visitor : CGAL::Parametric_surface_mesh_visitor
   std::size_t limit, vertices = 0, progress_calls = 0;
   std::vector<std::string> phases;
 
-  explicit Stopping_visitor(std::size_t limit) : limit(limit) {}
+  explicit Stopping_visitor(std::size_t number) : limit(number) {}
 
   void on_phase(const char* name) { phases.push_back(name); }
 

@@ -134,7 +134,7 @@ struct Disc_metric : Mean_length
 {
   Tensor inside;
 
-  explicit Disc_metric(const Tensor& inside) : inside(inside) {}
+  explicit Disc_metric(const Tensor& within) : inside(within) {}
 
   Tensor tensor(const CGAL::Surface_jet_3<Test_kernel>& jet) const
   {

@@ -95,7 +95,7 @@ struct Side_of_pillow : sample_surfaces::From_jet<Side_of_pillow>
 {
   double height;
 
-  explicit Side_of_pillow(double height) : height(height) {}
+  explicit Side_of_pillow(double h) : height(h) {}
 
   sample_surfaces::Jet jet(double u, double v) const
   {
