@@ -20,8 +20,11 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 /*
-Cells of the plane of similar weight, by that of given points: a k-d tree that is halved at the weighted median along the
-longer side of its points. Cells with close numbers are close to each other. One cell, until it is divided.
+Cells of the plane with similar weights, made of given weighted points: a k-d tree that is halved at the weighted median along the
+longer side of the box of its points. Cells with close indices are close to each other. Before divide() there is one cell.
+
+CGAL's spatial_sort() would give groups of the given points, but not the cell of a point that is added later, and knows no
+weights.
 */
 template <class Point_2>
 class Balanced_cells_2
@@ -36,7 +39,8 @@ public:
 private:
   typedef typename std::vector<Weighted_point>::iterator Iterator;
 
-  // What is below `value` goes to child 2 i + 1 of node i, all else to 2 i + 2. Children without a split are cells.
+  // Points with a coordinate below `value` belong to child 2 i + 1 of node i, all others to child 2 i + 2. Children without a
+  // split are cells.
   struct Split
   {
     int coordinate = 0;
@@ -45,7 +49,8 @@ private:
   std::vector<Split> m_splits;
 
 public:
-  // a power of two cells, enough for a mean weight that is no larger than `weight_of_cell`; O(n log^2 n) for n points
+  // Makes a number of cells that is a power of two, such that their mean weight is at most `weight_of_cell`. Takes O(n log^2 n)
+  // time for n points.
   void divide(std::vector<Weighted_point> points, double weight_of_cell)
   {
     double weight = 0;

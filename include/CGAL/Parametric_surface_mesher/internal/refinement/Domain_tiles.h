@@ -19,13 +19,14 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A grid over the domain, of rectangles that are about squares in space and take about a thousand points of the mesh each:
-// the faces between these fit the second level cache. How many points there will be is estimated from the triangulation of
-// the boundary, and need not be true.
+// A grid of rectangles over the domain that are about squares in space and take about a thousand points of the mesh each. The
+// number of points is estimated from the triangulation of the boundary. (spatial_sort() of CGAL orders points that are known, but
+// a front makes its points one by one.)
 class Domain_tiles
 {
+  // The faces between so many points, 230 kB with their vertices, fit into the second level cache.
   static constexpr double points_per_tile = 1000;
-  static constexpr double max_number_of_tiles = 1e6;
+  static constexpr double max_number_of_tiles = 1e6; // bounds the memory if the estimate is far too high
 
   Bbox_2 m_box;
   std::size_t m_columns = 1, m_rows = 1;
