@@ -3,6 +3,7 @@
 //
 // Input that cannot be meshed: an exception that names the place, and an output mesh that is as it was.
 // This file is compiled with NDEBUG too.
+#include <CGAL/Parametric_function_surface_3.h>
 #include <CGAL/Parametric_primitive_surfaces_3.h>
 #include <CGAL/Principal_curvature_metric_2.h>
 #include <CGAL/Space_curve_3.h>
@@ -52,6 +53,30 @@ struct Linear_surface
     const Vector_3 zero(0, 0, 0);
     return {point(u, v), Vector_3(xu, yu, 0), Vector_3(xv, yv, 0), zero, zero, zero};
   }
+};
+
+// a surface over the unit square with four peaks, and a change of its jet
+struct Peaks
+{
+  std::function<void(CGAL::Surface_jet_3<Test_kernel>&)> change;
+
+  CGAL::Surface_jet_3<Test_kernel> jet(double u, double v) const
+  {
+    const auto peaks = CGAL::make_parametric_function_surface([](auto x, auto y) {
+      using std::exp;
+      auto z = 0. * x;
+      for(double a : {0.3, 0.7})
+        for(double b : {0.3, 0.7})
+          z = z + 0.2 * exp(-20 * ((x - a) * (x - a) + (y - b) * (y - b)));
+      return CGAL::parametric_surface_point(x, y, z);
+    });
+    CGAL::Surface_jet_3<Test_kernel> result = peaks.jet(u, v);
+    if(change)
+      change(result);
+    return result;
+  }
+
+  Point_3 point(double u, double v) const { return Peaks{nullptr}.jet(u, v).point; }
 };
 
 const Sample_surface flat((sample_surfaces::Flat()));
@@ -409,4 +434,56 @@ TEST(Bad_input, lengths_in_a_model)
   Plane_model model = two_triangles();
   model.add_vertex(Point_3(0, not_a_number, 0));
   expect_refused([&] { CGAL::Parametric_surface_mesher::validate(model); }, "vertex 5", "nan", "not finite");
+}
+
+TEST(Bad_input, derivatives_that_contradict_the_points)
+{
+  typedef CGAL::Surface_jet_3<Test_kernel> Jet;
+  const auto without_z = [](Vector_3& d) { d = Vector_3(d.x(), d.y(), 0); };
+  const auto refused = [](const std::function<void(Jet&)>& change, const std::string& word) {
+    check_refused(Sample_surface(Peaks{change}), square(), small_edges(), "contradict", "(u,v) = (0.", word, "jet()");
+  };
+  check_refused(Sample_surface(Peaks{[](Jet& jet) { jet.point = jet.point + Vector_3(0, 0, 0.1); }}), square(), small_edges(),
+                "contradicts itself", "point() gives (0.", "jet() (0.");
+  refused([&](Jet& jet) { without_z(jet.du); }, "/du");
+  refused([&](Jet& jet) { without_z(jet.dv); without_z(jet.duv); without_z(jet.dvv); }, "d/dv");
+  refused([](Jet& jet) { jet.dv = 1.02 * jet.dv; }, "d/dv is (0, 1.02, ");
+  refused([](Jet& jet) { std::swap(jet.du, jet.dv); }, "/du");
+  refused([](Jet& jet) { jet.duu = -jet.duu; }, "d^2/du^2");
+  refused([](Jet& jet) { jet.duv = 2 * jet.duv; }, "d^2/(du dv)");
+  refused([](Jet& jet) { jet.dvv = Vector_3(0, 0, 0); }, "d^2/dv^2");
+  Mesh mesh;
+  EXPECT_GT(add_patch(Sample_surface(Peaks{nullptr}), square(), small_edges(), mesh).number_of_faces, 100u);
+}
+
+// Creases through the centre of the domain, points that are rounded to `float`, large offsets, and derivatives that are there
+// but on one side.
+TEST(Bad_input, rough_surfaces_are_none)
+{
+  const auto accepted = [](const auto& surface, double max_edge) {
+    Mesh mesh;
+    EXPECT_GT(add_patch(surface, square(), Criteria().set_max_edge(max_edge).set_gamma(1), mesh).number_of_faces, 3u);
+  };
+  for(double edge : {0.1, 0.5, 1.}) {
+    accepted(CGAL::make_parametric_function_surface([](auto u, auto v) {
+      using std::fabs;
+      return CGAL::parametric_surface_point(u, v, fabs(u - 0.5) + fabs(v - 0.5));
+    }), edge);
+    accepted(CGAL::make_parametric_function_surface([](auto u, auto v) {
+      using std::hypot;
+      return CGAL::parametric_surface_point(1e-7 * u, 1e-7 * v, 1e-7 * hypot(u - 0.5, v - 0.5));
+    }), 1e-7 * edge);
+    accepted(CGAL::make_parametric_function_surface([](auto u, auto v) {
+      return CGAL::parametric_surface_point(1e6 + u, v - 1e6, 0.1 * u * v);
+    }), edge);
+    const auto smooth = CGAL::make_parametric_function_surface([](auto u, auto v) {
+      using std::sin;
+      return CGAL::parametric_surface_point(u, v, 0.2 * sin(3 * u) * v);
+    });
+    accepted(CGAL::make_parametric_jet_surface([&](double u, double v) {
+      auto jet = smooth.jet(u, v);
+      jet.point = Point_3(float(jet.point.x()), float(jet.point.y()), float(jet.point.z()));
+      return jet;
+    }), edge);
+  }
 }

@@ -6,6 +6,10 @@ A surface in space given by a parametrisation `S : (u,v) -> R^3`, twice differen
 wherever it is evaluated. Both functions must be deterministic. `jet()` is called for each point that the mesher
 tries, and on the boundary more often; most calls of `point()` are made to test the deviation of edges.
 
+The derivatives must be those of `point()`. The mesher compares them with differences of values in a few places of each patch,
+and refuses a surface that contradicts itself with a `CGAL::Parametric_surface_mesh_error` that names the parameter values,
+the derivative and what it ought to be. Creases, poles and rounding errors contradict nothing.
+
 A surface need not check its arguments. A value that is not finite is found by the
 mesher and refused with a `CGAL::Parametric_surface_mesh_error` that names the parameter values.
 

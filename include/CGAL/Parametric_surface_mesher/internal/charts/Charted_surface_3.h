@@ -24,6 +24,7 @@ template <class Surface>
 class Charted_surface_3
 {
 public:
+  typedef Surface Domain_surface;
   typedef typename Surface::Geom_traits Geom_traits;
   typedef typename Geom_traits::Point_2 Point_2;
   typedef typename Geom_traits::Point_3 Point_3;
@@ -39,6 +40,9 @@ public:
   Charted_surface_3(const Surface& surface, const Chart& chart) : m_surface(surface), m_chart(chart) {}
 
   const Chart& chart() const { return m_chart; }
+
+  // in the coordinates of the domain
+  const Surface& domain_surface() const { return m_surface; }
 
   // The domain point of the chart point `z`.
   // \pre the chart is not the identity

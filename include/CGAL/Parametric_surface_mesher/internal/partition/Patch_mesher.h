@@ -19,6 +19,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Patch_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Pole_ring.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Patch_evaluator.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/check_derivatives.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/Phase_timer.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
@@ -178,6 +179,7 @@ private:
   {
     Boundary_triangulator<Kernel> triangulate(m_triangulation, m_loops);
     run(triangulate);
+    check_derivatives(m_surface, m_triangulation);
     if(!m_is_part) // else they are counted for the patch
       m_report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
     m_has_taken_over = triangulate.has_taken_over();
