@@ -18,6 +18,7 @@
 #include <cmath>
 #include <functional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -34,6 +35,9 @@ template <class Kernel = Exact_predicates_inexact_constructions_kernel>
 class Domain_curve_2
 {
 public:
+  static_assert(std::is_same<typename Kernel::FT, double>::value,
+                "The kernel of a domain must have 'double' as its number type FT.");
+
   typedef typename Kernel::Point_2 Point_2;
   typedef typename Kernel::Vector_2 Vector_2;
 

@@ -46,16 +46,15 @@ struct Is_indexable : std::false_type {};
 template <class Coordinates>
 struct Is_indexable<Coordinates, std::void_t<decltype(std::declval<const Coordinates&>()[0])>> : std::true_type {};
 
-template <std::size_t i, class Coordinates>
-auto coordinate(const Coordinates& coordinates) -> std::enable_if_t<Is_indexable<Coordinates>::value,
-                                                                    std::decay_t<decltype(coordinates[i])>>
+template <std::size_t i, class Coordinates, std::enable_if_t<Is_indexable<Coordinates>::value, int> = 0>
+auto coordinate(const Coordinates& coordinates)
 {
   return coordinates[i];
 }
 
-template <std::size_t i, class Coordinates>
-auto coordinate(const Coordinates& coordinates) -> std::enable_if_t<!Is_indexable<Coordinates>::value && i < std::tuple_size<Coordinates>::value,
-                                                                    std::decay_t<decltype(std::get<i>(coordinates))>>
+template <std::size_t i, class Coordinates,
+          std::enable_if_t<!Is_indexable<Coordinates>::value && (i < std::tuple_size<Coordinates>::value), int> = 0>
+auto coordinate(const Coordinates& coordinates)
 {
   return std::get<i>(coordinates);
 }
@@ -140,7 +139,13 @@ public:
   {
     namespace internal = Parametric_surface_mesher::internal;
     const auto s = m_function(u, v);
-    return Point_3(internal::coordinate<0>(s), internal::coordinate<1>(s), internal::coordinate<2>(s));
+    constexpr bool has_three = internal::Has_three_coordinates<std::decay_t<decltype(s)>>::value;
+    static_assert(has_three, "The function of a parametric surface must return three coordinates, for instance by "
+                             "CGAL::parametric_surface_point(x, y, z).");
+    if constexpr(has_three)
+      return Point_3(internal::coordinate<0>(s), internal::coordinate<1>(s), internal::coordinate<2>(s));
+    else
+      return Point_3(ORIGIN);
   }
 
   /// `S(u,v)` with all partial derivatives up to second order.
@@ -161,10 +166,7 @@ private:
     namespace internal = Parametric_surface_mesher::internal;
     if constexpr(is_generic) {
       const auto s = m_function(Number::first_variable(u), Number::second_variable(v));
-      constexpr bool has_three = internal::Has_three_coordinates<std::decay_t<decltype(s)>>::value;
-      static_assert(has_three, "The function of a parametric surface must return three coordinates, for instance by "
-                               "CGAL::parametric_surface_point(x, y, z).");
-      if constexpr(has_three) {
+      if constexpr(internal::Has_three_coordinates<std::decay_t<decltype(s)>>::value) {
         static_assert(internal::Depend_on_parameters<decltype(internal::coordinate<0>(s)), decltype(internal::coordinate<1>(s)),
                                                      decltype(internal::coordinate<2>(s))>::value,
                       "The function of a parametric surface must return coordinates that depend on its parameters, or numbers: "

@@ -10,6 +10,8 @@
 
 #include <CGAL/license/Parametric_surface_mesher.h>
 
+#include <type_traits>
+
 namespace CGAL {
 
 /*!
@@ -23,6 +25,9 @@ what a model of `ParametricSurface_3` returns from `jet(u, v)`.
 template <class Kernel>
 struct Surface_jet_3
 {
+  static_assert(std::is_same<typename Kernel::FT, double>::value,
+                "The kernel of a parametric surface must have 'double' as its number type FT.");
+
   typedef typename Kernel::Point_3 Point_3;
   typedef typename Kernel::Vector_3 Vector_3;
 

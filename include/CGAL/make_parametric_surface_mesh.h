@@ -17,6 +17,7 @@
 #include <CGAL/Parametric_surface_mesh_parameters.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesh_visitor.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/check_types.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/leave_out_bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/mesh_model.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/model_of_patch.h>
@@ -145,6 +146,7 @@ If the input is refused nothing is added to `tm`.
 large patch (see `Parametric_surface_mesh_criteria::set_part_size()`) are meshed at the same time; the mesh is the same. What
 that takes is said below, where models are meshed.
 \tparam Surface a model of `ParametricSurface_3`
+\tparam Kernel the kernel of the surface, `Surface::Geom_traits`
 \tparam Criteria a model of `ParametricSurfaceMeshCriteria_2`, usually `Parametric_surface_mesh_criteria`
 \tparam TriangleMesh a model of `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -193,16 +195,18 @@ or are nested wrongly, a domain of area zero, a degenerate surface, or sizes tha
 
 Complexity: `O(n log n)` in practice for `n` triangles.
 */
-template <class ConcurrencyTag = Sequential_tag, class Surface, class Criteria, class TriangleMesh,
+template <class ConcurrencyTag = Sequential_tag, class Surface, class Kernel, class Criteria, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
 Parametric_surface_mesh_report
-make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<typename Surface::Geom_traits>& domain,
-                             const Criteria& criteria, TriangleMesh& tm,
-                             const NamedParameters& np = parameters::default_values())
+make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<Kernel>& domain, const Criteria& criteria,
+                             TriangleMesh& tm, const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  return mesh_model_into<ConcurrencyTag>(tm, model_of_patch(surface, domain), criteria, np,
-                         [](auto& division) { division.number_along_edges(); });
+  if constexpr(check_surface<Surface, Kernel>() && check_options<Criteria, NamedParameters>())
+    return mesh_model_into<ConcurrencyTag>(tm, model_of_patch(surface, domain), criteria, np,
+                                           [](auto& division) { division.number_along_edges(); });
+  else
+    return {};
 }
 
 /*!
@@ -253,9 +257,13 @@ make_parametric_surface_mesh(const Parametric_surface_model_3<Surface>& model, c
                              TriangleMesh& tm, const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  return mesh_valid_model(model, np, [&](const auto& valid_model) {
-    return mesh_model_into<ConcurrencyTag>(tm, valid_model, criteria, np, [](auto& division) { division.number_vertices_first(); });
-  });
+  if constexpr(check_surface<Surface, typename Surface::Geom_traits>() && check_options<Criteria, NamedParameters>())
+    return mesh_valid_model(model, np, [&](const auto& valid_model) {
+      return mesh_model_into<ConcurrencyTag>(tm, valid_model, criteria, np,
+                                             [](auto& division) { division.number_vertices_first(); });
+    });
+  else
+    return {};
 }
 
 } // namespace CGAL
