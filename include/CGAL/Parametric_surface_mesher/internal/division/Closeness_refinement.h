@@ -9,6 +9,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_CLOSENESS_REFINEMENT_H
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/Crossing_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Strip_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Strip_staggering.h>
@@ -69,13 +70,16 @@ class Closeness_refinement
   const std::vector<Oracle>& m_oracles; // by face
   const Parametric_surface_mesh_criteria& m_criteria;
   std::vector<Boundary>& m_boundaries; // by face
+  Crossing_refinement<Oracle>& m_refine_crossings;
   std::set<std::size_t> m_faces_with_strips; // those narrower than pieces that cannot be halved
 
 public:
-  // `boundaries` has the boundary of each face; these are kept up to date with the division.
+  // `boundaries` has the boundary of each face; these are kept up to date with the division. `refine_crossings` is called
+  // whenever the division has changed: pieces may cross then, and only those that do not can be triangulated.
   Closeness_refinement(Division& division, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria,
-                       std::vector<Boundary>& boundaries)
-    : m_division(division), m_oracles(oracles), m_criteria(criteria), m_boundaries(boundaries)
+                       std::vector<Boundary>& boundaries, Crossing_refinement<Oracle>& refine_crossings)
+    : m_division(division), m_oracles(oracles), m_criteria(criteria), m_boundaries(boundaries),
+      m_refine_crossings(refine_crossings)
   {
     m_boundaries.resize(oracles.size());
   }
@@ -96,6 +100,7 @@ public:
       number_of_splits += pieces.size();
       m_division.split(pieces);
       faces = m_division.faces_at(pieces);
+      m_refine_crossings();
     }
     divide_strips();
     stagger_strips();
@@ -106,8 +111,10 @@ private:
   void divide_strips()
   {
     std::set<std::size_t> done; // edges
-    for(std::size_t face : m_faces_with_strips)
+    for(std::size_t face : m_faces_with_strips) {
       with_name_of_face(m_division.model(), face, [&] { done.merge(divide_strips(face, done)); });
+      m_refine_crossings();
+    }
   }
 
   std::set<std::size_t> divide_strips(std::size_t face, const std::set<std::size_t>& done)
@@ -140,8 +147,10 @@ private:
   void stagger_strips()
   {
     std::set<std::size_t> done; // edges
-    for(std::size_t face : m_faces_with_strips)
+    for(std::size_t face : m_faces_with_strips) {
       with_name_of_face(m_division.model(), face, [&] { done.merge(stagger_strips(face, done)); });
+      m_refine_crossings();
+    }
   }
 
   std::set<std::size_t> stagger_strips(std::size_t face, const std::set<std::size_t>& done)

@@ -10,6 +10,7 @@
 
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/charts/find_chart.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/Misplaced_holes.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
@@ -36,23 +37,25 @@ class Crossing_refinement
 
   Division& m_division;
   const std::vector<Oracle>& m_oracles; // by face
+  std::size_t m_number_of_splits = 0;
 
 public:
   Crossing_refinement(Division& division, const std::vector<Oracle>& oracles) : m_division(division), m_oracles(oracles) {}
 
-  // Checks the faces whose boundary has changed since the last call. Returns the number of pieces that were halved.
-  std::size_t operator()()
+  // Checks the faces whose boundary has changed since the last call.
+  void operator()()
   {
-    std::size_t number_of_splits = 0;
     for(auto faces = m_division.take_changed_faces(); !faces.empty(); faces = m_division.take_changed_faces()) {
       std::set<Piece> pieces;
       for(std::size_t face : faces)
         with_name_of_face(m_division.model(), face, [&] { collect(face, pieces); });
-      number_of_splits += pieces.size();
+      m_number_of_splits += pieces.size();
       m_division.split(pieces);
     }
-    return number_of_splits;
   }
+
+  // the number of pieces that were halved so far
+  std::size_t number_of_splits() const { return m_number_of_splits; }
 
 private:
   // Segments must not cross in the coordinates in which they are straight, those of the domain or of the chart.
@@ -71,8 +74,12 @@ private:
       insert_if(can_split_a, a, pieces);
       insert_if(can_split_b, b, pieces);
     }
-    if(crossings.empty())
-      collect_in_chart(face, loops, pieces);
+    if(crossings.empty()) {
+      const Misplaced_holes<Oracle> collect_at_misplaced_holes(m_division, face, loops);
+      collect_at_misplaced_holes(pieces);
+      if(pieces.empty())
+        collect_in_chart(face, loops, pieces);
+    }
   }
 
   void collect_in_chart(std::size_t face, const Boundary_loops<Kernel>& loops, std::set<Piece>& pieces) const

@@ -107,12 +107,12 @@ public:
     m_visitor.on_phase("division");
     Division division(m_model, m_oracles, m_criteria);
     Crossing_refinement<Oracle> refine(division, m_oracles);
-    m_report.number_of_split_boundary_edges = refine();
+    refine();
     if(m_criteria.closeness()) {
-      Closeness_refinement<Oracle> refine_narrow_faces(division, m_oracles, m_criteria, m_boundaries);
+      Closeness_refinement<Oracle> refine_narrow_faces(division, m_oracles, m_criteria, m_boundaries, refine);
       m_report.number_of_edges_split_by_closeness = refine_narrow_faces();
-      m_report.number_of_split_boundary_edges += refine();
     }
+    m_report.number_of_split_boundary_edges = refine.number_of_splits();
     m_report.number_of_boundary_edges = division.number_of_edges();
     return division;
   }

@@ -215,9 +215,12 @@ public:
     return squared_distance >= squared_min_distance || squared_distance >= squared_distance_to_ring(old_point);
   }
 
-  // Whether all triangles stay positively oriented with their centre there; exact.
+  // Whether all triangles stay positively oriented with their centre there; exact. Where triangles are flat a position that
+  // is computed from them need not be finite.
   bool is_around(const Point_2& position) const
   {
+    if(!std::isfinite(position.x() + position.y()))
+      return false;
     const auto orientation = m_triangulation.geom_traits().orientation_2_object();
     for(std::size_t k = 0; k < m_ring.size(); ++k)
       if(orientation(ring_point(k), ring_point(k + 1), position) != LEFT_TURN)

@@ -246,7 +246,8 @@ private:
   std::unique_ptr<Mesher> make_mesher(Loops loops, double share) const
   {
     Criteria criteria = m_criteria;
-    criteria.set_improvement_time(share * m_criteria.improvement_time());
+    if(std::isfinite(m_criteria.improvement_time())) // a share of 0 of an infinite time is not a number
+      criteria.set_improvement_time(share * m_criteria.improvement_time());
     return std::make_unique<Mesher>(m_oracle, criteria, m_boundary, std::move(loops), true, m_visitor);
   }
 

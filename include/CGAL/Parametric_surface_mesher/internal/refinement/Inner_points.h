@@ -68,6 +68,8 @@ public:
   bool locate(Face_handle from, const Point_2& uv, Candidate& candidate) const
   {
     candidate.spacing_limit = -1;
+    if(!std::isfinite(uv.x() + uv.y())) // computed from a flat triangle
+      return false;
     candidate.location = walk_in_domain(m_triangulation, from, uv);
     if(candidate.location.kind != Location::IN_FACE && candidate.location.kind != Location::ON_EDGE)
       return false;
