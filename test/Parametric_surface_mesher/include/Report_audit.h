@@ -1,0 +1,150 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Judges every criterion on every triangle and edge of a patch, short ones and those on the boundary included, by the surface
+// alone, and compares with the report. It shares no code with the mesher.
+#ifndef PARAMETRIC_SURFACE_MESHER_TEST_REPORT_AUDIT_H
+#define PARAMETRIC_SURFACE_MESHER_TEST_REPORT_AUDIT_H
+
+#include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <Mesh_audit.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+// What a triangle has, over what it may have: below 1 all is well. What cannot be told to the last bit without the mesher's own
+// quantities lies between a lower and an upper bound.
+struct Audited_ratio
+{
+  double lower = 0, upper = 0;
+
+  bool surely_fails() const { return lower > 1 + 1e-6; }
+  bool surely_meets() const { return upper < 1 - 1e-6; }
+
+  void add(double low, double high)
+  {
+    lower = (std::max)(lower, low);
+    upper = (std::max)(upper, high);
+  }
+};
+
+// For a patch without collapsed sides: around these edges are straight in coordinates of the mesher's.
+template <class Kernel, class Surface>
+class Report_audit
+{
+  typedef typename Kernel::Point_2 Point_2;
+  typedef typename Kernel::Point_3 Point_3;
+  typedef Mesh_with_domain<Kernel> Result;
+  typedef typename Result::Face_index Face_index;
+  typedef CGAL::Parametric_surface_mesh_criteria Criteria;
+  typedef decltype(CGAL::Parametric_surface_mesh_report::Unmet::criterion) Criterion;
+
+  struct Corner
+  {
+    Point_2 uv;
+    Point_3 point;
+  };
+  typedef std::array<Corner, 3> Triangle;
+
+  const Result& m_result;
+  const Surface& m_surface;
+  const Criteria& m_criteria;
+  const bool m_has_default_metric; // else angles are not those in space
+  Audit_findings& m_findings;
+
+public:
+  Report_audit(const Result& result, const Surface& surface, const Criteria& criteria, bool has_default_metric,
+               Audit_findings& findings)
+    : m_result(result), m_surface(surface), m_criteria(criteria), m_has_default_metric(has_default_metric), m_findings(findings)
+  {}
+
+  void operator()()
+  {
+    std::set<std::pair<std::size_t, Criterion>> reported;
+    for(const auto& unmet : m_result.report.unmet)
+      reported.insert({unmet.face, unmet.criterion});
+    for(const Face_index f : m_result.mesh.faces()) {
+      const Triangle t = triangle(f);
+      if(m_has_default_metric)
+        compare(f, Criterion::ANGLE, angle(t), reported);
+      compare(f, Criterion::DEVIATION, deviation(t), reported);
+      if(m_criteria.distance())
+        compare(f, Criterion::DISTANCE, distance(t), reported);
+    }
+  }
+
+private:
+  Triangle triangle(Face_index f) const
+  {
+    const auto h = m_result.halfedges(f);
+    Triangle result;
+    for(std::size_t i = 0; i < 3; ++i)
+      result[i] = {m_result.halfedge_uv[h[i]], m_result.mesh.point(m_result.mesh.target(h[i]))};
+    return result;
+  }
+
+  void compare(Face_index f, Criterion criterion, const Audited_ratio& ratio,
+               const std::set<std::pair<std::size_t, Criterion>>& reported)
+  {
+    const bool is_reported = reported.count({std::size_t(f), criterion}) > 0;
+    if(ratio.surely_fails() && !is_reported)
+      m_findings.add("criterion " + std::to_string(int(criterion)) + " fails and is not reported", f, ratio.lower);
+    if(ratio.surely_meets() && is_reported)
+      m_findings.add("criterion " + std::to_string(int(criterion)) + " is met and reported", f, ratio.upper);
+  }
+
+  Audited_ratio angle(const Triangle& t) const
+  {
+    const double smallest = audited_smallest_angle(t[0].point, t[1].point, t[2].point);
+    const double ratio = smallest > 0 ? m_criteria.angle() / smallest : 1e300;
+    return {ratio, ratio};
+  }
+
+  // Near singular points of the parametrisation only the part of the height along the normal counts.
+  Audited_ratio deviation(const Triangle& t) const
+  {
+    Audited_ratio result;
+    for(std::size_t i = 0; i < 3; ++i) {
+      const Corner &p = t[i], &q = t[(i + 1) % 3];
+      const double u = 0.5 * (p.uv.x() + q.uv.x()), v = 0.5 * (p.uv.y() + q.uv.y());
+      const auto chord = q.point - p.point, from = m_surface.point(u, v) - p.point;
+      const double length = std::sqrt(chord.squared_length());
+      if(!(length > 0))
+        continue;
+      const auto height = from - (from * chord / (length * length)) * chord;
+      const auto jet = m_surface.jet(u, v);
+      const auto normal = cross_product(jet.du, jet.dv);
+      const double size = std::sqrt(normal.squared_length());
+      result.add(size > 0 ? std::fabs(height * normal) / size / length / m_criteria.gamma() : 0,
+                 std::sqrt(height.squared_length()) / length / m_criteria.gamma());
+    }
+    return result;
+  }
+
+  // of the surface over the triangle, by samples
+  Audited_ratio distance(const Triangle& t) const
+  {
+    const int n = 6;
+    const typename Kernel::Triangle_3 triangle(t[0].point, t[1].point, t[2].point);
+    double farthest = 0;
+    for(int i = 0; i <= n; ++i)
+      for(int k = 0; i + k <= n; ++k) {
+        const double a = double(i) / n, b = double(k) / n, c = 1 - a - b;
+        const Point_3 p = m_surface.point(a * t[0].uv.x() + b * t[1].uv.x() + c * t[2].uv.x(),
+                                          a * t[0].uv.y() + b * t[1].uv.y() + c * t[2].uv.y());
+        farthest = (std::max)(farthest, triangle.is_degenerate() ? 0 : squared_distance(p, triangle));
+      }
+    // The mesher may have looked at places that are farther: what it reports is not called wrong.
+    return {std::sqrt(farthest) / *m_criteria.distance(), 1e300};
+  }
+};
+
+#endif // PARAMETRIC_SURFACE_MESHER_TEST_REPORT_AUDIT_H
