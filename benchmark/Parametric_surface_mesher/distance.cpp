@@ -197,9 +197,10 @@ std::string cells(const std::string& file_name, double relative_distance)
   Mesh_cad_result result;
   mesh_cad::mesh_and_measure(options, result);
   const Distances distances = Distance_measure(result)();
+  using CGAL::Parametric_surface_mesher::Mesh_criterion;
   std::size_t reported = 0;
   for(const auto& unmet : result.report.unmet)
-    reported += unmet.criterion == CGAL::Mesh_criterion::DEVIATION || unmet.criterion == CGAL::Mesh_criterion::DISTANCE;
+    reported += unmet.criteria.contains(Mesh_criterion::DEVIATION) || unmet.criteria.contains(Mesh_criterion::DISTANCE);
   std::ostringstream out;
   out << result.quality.number_of_faces << "\t" << text_of_number("%.2f", result.meshing_seconds) << "\t"
       << text_of_number("%.3f", distances.from_faces) << "\t" << text_of_number("%.3f", distances.from_edges) << "\t"

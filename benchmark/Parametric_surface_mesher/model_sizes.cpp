@@ -152,7 +152,7 @@ void measure_once(const std::vector<Patch>& patches, double edge_length, Result&
   const double bytes_per_triangle = (peak_memory() - memory_before) / report.number_of_faces;
   result.bytes_per_triangle = (std::max)(bytes_per_triangle, result.bytes_per_triangle); // grows in the first run alone
   result.quality = CGAL::triangle_mesh_quality(mesh);
-  result.boundary_limited = report.count(CGAL::Unmet_cause::BOUNDARY);
+  result.boundary_limited = report.count(CGAL::Parametric_surface_mesher::Unmet_cause::BOUNDARY);
   result.unmet = report.unmet.size() - result.boundary_limited;
   const auto& q = result.quality;
   result.is_right = result.is_right && model.edges().size() == 2 * patches.size() && q.is_closed && q.is_manifold

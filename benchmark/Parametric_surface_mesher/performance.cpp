@@ -122,7 +122,7 @@ void measure_mesh(const Sample_mesher& mesher, double edge_length, Result& resul
   result.quality = CGAL::triangle_mesh_quality(mesh);
   result.bytes_per_triangle = run.memory / result.number_of_triangles();
   if(run.report) {
-    result.boundary_limited = run.report->count(CGAL::Unmet_cause::BOUNDARY);
+    result.boundary_limited = run.report->count(CGAL::Parametric_surface_mesher::Unmet_cause::BOUNDARY);
     result.unmet = run.report->unmet.size() - result.boundary_limited;
   }
 }

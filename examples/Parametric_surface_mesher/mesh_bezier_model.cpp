@@ -41,7 +41,7 @@ try {
   std::cout << quality.number_of_faces << " triangles, " << triangles_of_patch[0] << " of them on the first patch\n"
             << quality.number_of_connected_components << " pieces: body, lid, handle and spout\n"
             << "mean of the smallest angles: " << quality.mean_min_angle << " degrees; "
-            << report.count(CGAL::Unmet_cause::BOUNDARY) << " triangles are limited by the curves\n";
+            << report.count(CGAL::Parametric_surface_mesher::Unmet_cause::BOUNDARY) << " triangles are limited by the curves\n";
   return quality.is_manifold ? 0 : 1;
 }
 catch(const std::exception& error) {

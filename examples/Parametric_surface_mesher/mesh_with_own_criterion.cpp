@@ -15,39 +15,17 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
-struct Climb_criteria : CGAL::Parametric_surface_mesh_criteria
+// By how much a triangle climbs, as a share of what it may.
+struct Climb
 {
-  typedef CGAL::Parametric_surface_mesh_criteria Base;
   double max_climb;
 
-  explicit Climb_criteria(double height) : max_climb(height) {}
-
-  template <class Oracle>
-  struct Is_bad : Base::Is_bad<Oracle>
+  template <class Triangle>
+  double operator()(const Triangle& triangle) const
   {
-    double max_climb;
-
-    Is_bad(const Climb_criteria& criteria, const Oracle& oracle)
-      : Base::Is_bad<Oracle>(criteria, oracle), max_climb(criteria.max_climb)
-    {}
-
-    using Base::Is_bad<Oracle>::operator();
-
-    template <class Face_handle>
-    CGAL::Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
-    {
-      const CGAL::Mesh_2::Face_badness badness = Base::Is_bad<Oracle>::operator()(f, quality);
-      if(badness != CGAL::Mesh_2::NOT_BAD)
-        return badness;
-      const auto z = [&](int i) { return f->vertex(i)->point().surface_point().z(); };
-      quality.badness = CGAL::square(((std::max)({z(0), z(1), z(2)}) - (std::min)({z(0), z(1), z(2)})) / max_climb);
-      quality.criterion = CGAL::Mesh_criterion::USER;
-      return (*this)(quality); // a triangle is bad if its badness is above 1
-    }
-  };
-
-  template <class Oracle>
-  Is_bad<Oracle> is_bad_object(const Oracle& oracle) const { return Is_bad<Oracle>(*this, oracle); }
+    const double z[] = {triangle.point(0).z(), triangle.point(1).z(), triangle.point(2).z()};
+    return CGAL::square((*std::max_element(z, z + 3) - *std::min_element(z, z + 3)) / max_climb);
+  }
 };
 
 int main()
@@ -58,10 +36,11 @@ int main()
   });
   const auto domain = CGAL::Parametric_domain_2<Kernel>::rectangle(-2, 2, -2, 2);
   for(const double max_climb : {1., 0.05, 0.02}) {
-    Climb_criteria criteria(max_climb);
+    CGAL::Parametric_surface_mesh_criteria criteria;
     criteria.set_max_edge(0.2);
     Mesh mesh;
-    const auto report = CGAL::make_parametric_surface_mesh(hill, domain, criteria, mesh);
+    const auto report = CGAL::make_parametric_surface_mesh(hill, domain, criteria, mesh,
+                                                           CGAL::parameters::triangle_criterion(Climb{max_climb}));
     double found = 0;
     for(const auto e : mesh.edges())
       found = (std::max)(found, std::fabs(mesh.point(mesh.vertex(e, 0)).z() - mesh.point(mesh.vertex(e, 1)).z()));

@@ -44,7 +44,7 @@ int main()
     const auto report = CGAL::make_parametric_surface_mesh(sphere, domain, criteria, mesh,
                                                            CGAL::parameters::visitor(std::ref(visitor)));
     std::cout << "  " << mesh.number_of_faces() << " triangles, of which the stop left "
-              << report.count(CGAL::Unmet_cause::STOPPED) << " unfinished\n";
+              << report.count(CGAL::Parametric_surface_mesher::Unmet_cause::STOPPED) << " unfinished\n";
     if(!mesh.is_valid())
       return 1;
   }

@@ -10,12 +10,9 @@
 
 #include <CGAL/license/Parametric_surface_mesher.h>
 
-#include <CGAL/Mesh_2/Face_badness.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/Mesh_options.h>
-#include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -29,17 +26,6 @@
 
 namespace CGAL {
 
-/// \ingroup PkgParametricSurfaceMesherRef
-/// the criteria that a triangle can fail; also the causes in a `Parametric_surface_mesh_report`.
-enum class Mesh_criterion
-{
-  SIZE,      ///< circumradius above `C (S_1 + S_2 + S_3)` (paper, eq. 3)
-  ANGLE,     ///< smallest angle below the bound
-  DEVIATION, ///< deviation ratio `H/L` of an edge above `gamma`
-  DISTANCE,  ///< distance from the surface above the absolute bound
-  USER       ///< a criterion of a derived class
-};
-
 /*!
 \ingroup PkgParametricSurfaceMesherRef
 
@@ -48,10 +34,7 @@ of 30 degrees, a deviation ratio of 0.05, and sizes from the extent of the bound
 
 The values come in four groups: sizes, tolerances, improvement, and execution. Each value is checked when it is set.
 
-To add a criterion, derive from this class and give it a class template `Is_bad` that derives from
-`Parametric_surface_mesh_criteria::Is_bad`, as one extends a model of `MeshingCriteria_2`.
-
-\cgalModels `ParametricSurfaceMeshCriteria_2`
+A criterion of one's own is passed beside it: see `CGAL::parameters::triangle_criterion()`.
 */
 class Parametric_surface_mesh_criteria
 {
@@ -82,8 +65,8 @@ public:
   }
 
   /// the shortest length into which edges are divided: an edge is not divided for the sake of deviation, on the boundary or
-  /// inside, if it is shorter than twice this length; and no two inner points are closer to each other. Default: 1/200 of
-  /// `max_edge()`, or of the default of that if it is smaller.
+  /// inside, if it is shorter than twice this length; and no two inner points are closer to each other. What such edges fail
+  /// is in the report. Default: 1/200 of `max_edge()`, or of the default of that if it is smaller.
   /// Range: positive and finite.
   Parametric_surface_mesh_criteria& set_min_edge(double length)
   {
@@ -272,121 +255,6 @@ private:
     if(!length)
       throw Parametric_surface_mesh_error(std::string("the ") + which + " edge length has not been set");
     return *length;
-  }
-
-public:
-  /// how bad a triangle is: the squared ratio of what it has to what it may have, by its worst criterion.
-  struct Quality
-  {
-    double badness = 0;                              ///< above 1 for a bad triangle
-    Mesh_criterion criterion = Mesh_criterion::SIZE; ///< the criterion that `badness` stands for
-    bool is_well_shaped = false;                     ///< nearly equilateral: it can wait for others
-
-    /// worse triangles come first, well-shaped ones last.
-    bool operator<(const Quality& other) const
-    {
-      return is_well_shaped != other.is_well_shaped ? other.is_well_shaped : badness > other.badness;
-    }
-  };
-
-  /*!
-  the test whether a triangle is bad, in the form of `MeshingCriteria_2::Is_bad`. Size comes first, then angle, then
-  deviation, which is evaluated for triangles that pass the others only.
-
-  \tparam Oracle the type `Parametric_surface_oracle_3` of the patch
-  */
-  template <class Oracle>
-  class Is_bad
-  {
-    // A triangle with no angle below some 46 degrees counts as well shaped. To split it costs shape around it, so it may be
-    // larger than others (by sqrt(1.2)), and waits until the others are done: measured, this raises the mean radius ratio
-    // from 0.906 to 0.916.
-    static constexpr double squared_sine_of_good_shape = 0.51;
-    static constexpr double allowance_of_good_shape = 1.2;
-
-    const Oracle& m_oracle;
-    double m_squared_sine, m_squared_size_factor;
-    Parametric_surface_mesher::internal::Deviation_limits m_limits;
-
-  public:
-    Is_bad(const Parametric_surface_mesh_criteria& criteria, const Oracle& oracle)
-      : m_oracle(oracle), m_squared_sine(Parametric_surface_mesher::internal::squared_sine_of_degrees(criteria.angle())),
-        m_squared_size_factor(criteria.size_factor() * criteria.size_factor()),
-        m_limits{criteria.gamma(), square(criteria.distance().value_or(0)), 4 * criteria.min_edge() * criteria.min_edge()}
-    {}
-
-    /// the patch.
-    const Oracle& oracle() const { return m_oracle; }
-
-    typedef Parametric_surface_mesh_criteria::Quality Quality;
-
-    /// tells from the quality alone.
-    Mesh_2::Face_badness operator()(const Quality& quality) const
-    {
-      if(!(quality.badness > 1))
-        return Mesh_2::NOT_BAD;
-      return quality.criterion == Mesh_criterion::ANGLE ? Mesh_2::BAD : Mesh_2::IMPERATIVELY_BAD;
-    }
-
-    /// evaluates size and angle of the triangle alone.
-    template <class Face_handle>
-    Mesh_2::Face_badness is_bad_by_shape(Face_handle f, Quality& quality) const
-    {
-      using namespace Parametric_surface_mesher::internal;
-      // the squared circumradius is `product / area`; quotients are left to bad triangles, as most live but a moment
-      const std::array<double, 3> l = squared_lengths(f, m_oracle.metric());
-      const double product = l[0] * l[1] * l[2], area = (std::max)(squared_area_16(l), 0.),
-                   sine = (std::min)({l[0], l[1], l[2]}) * area; // squared, of the smallest angle, times `4 product`
-      const double spacing = f->vertex(0)->spacing() + f->vertex(1)->spacing() + f->vertex(2)->spacing();
-      quality.is_well_shaped = sine > 4 * squared_sine_of_good_shape * product;
-      const double largest_product
-        = (quality.is_well_shaped ? 1 : 1 / allowance_of_good_shape) * m_squared_size_factor * spacing * spacing * area;
-      if(!(product < largest_product)) {
-        quality.criterion = Mesh_criterion::SIZE;
-        quality.badness = area > 0 ? product / largest_product : std::numeric_limits<double>::infinity();
-        return Mesh_2::IMPERATIVELY_BAD;
-      }
-      quality.criterion = Mesh_criterion::ANGLE;
-      if(!(4 * m_squared_sine * product <= sine)) {
-        quality.badness = 4 * m_squared_sine * product / sine;
-        return Mesh_2::BAD;
-      }
-      quality.badness = 1;
-      return Mesh_2::NOT_BAD;
-    }
-
-    /// evaluates deviation and distance of the triangle alone.
-    template <class Face_handle>
-    Mesh_2::Face_badness is_bad_by_deviation(Face_handle f, Quality& quality) const
-    {
-      using namespace Parametric_surface_mesher::internal;
-      quality.criterion = Mesh_criterion::DEVIATION;
-      const Squared_deviation deviation = squared_deviation_of_edges(f, m_oracle, m_limits);
-      quality.badness = deviation.ratio / (m_limits.gamma * m_limits.gamma);
-      if(!(quality.badness > 1) && m_oracle.is_inverted(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()))
-        quality.badness = 2;
-      if(!(quality.badness > 1) && m_limits.squared_distance > 0) {
-        quality.criterion = Mesh_criterion::DISTANCE;
-        quality.badness = (std::max)(deviation.height, squared_distance_at_centroid(f, m_oracle, m_limits))
-                          / m_limits.squared_distance;
-      }
-      return (*this)(quality);
-    }
-
-    /// evaluates the triangle.
-    template <class Face_handle>
-    Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
-    {
-      const Mesh_2::Face_badness shape = is_bad_by_shape(f, quality);
-      return shape != Mesh_2::NOT_BAD ? shape : is_bad_by_deviation(f, quality);
-    }
-  };
-
-  /// the test for the triangles of a patch; it refers to `oracle`.
-  template <class Oracle>
-  Is_bad<Oracle> is_bad_object(const Oracle& oracle) const
-  {
-    return Is_bad<Oracle>(*this, oracle);
   }
 };
 

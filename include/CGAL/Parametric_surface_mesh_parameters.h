@@ -23,6 +23,7 @@ enum Halfedge_uv_map_t { halfedge_uv_map_tag };
 enum Face_patch_id_map_t { face_patch_id_map_tag };
 enum Metric_field_t { metric_field_tag };
 enum Leaves_out_bad_faces_t { leaves_out_bad_faces_tag };
+enum Triangle_criterion_t { triangle_criterion_tag };
 
 template <class Tag, class T>
 Named_function_parameters<T, Tag> named_parameter(const T& value)
@@ -96,6 +97,20 @@ auto metric_field(const MetricField& field, const Others&... others)
 {
   return Parametric_surface_mesher::internal::named_parameter<
     Parametric_surface_mesher::internal::Metric_field_t>(field, others...);
+}
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+the named parameter for a criterion of the user, which all triangles are to meet beside those of
+`Parametric_surface_mesh_criteria`: a model of `ParametricSurfaceTriangleCriterion`. See `vertex_uv_map()` on how to combine
+it.
+*/
+template <class TriangleCriterion, class... Others>
+auto triangle_criterion(const TriangleCriterion& criterion, const Others&... others)
+{
+  return Parametric_surface_mesher::internal::named_parameter<
+    Parametric_surface_mesher::internal::Triangle_criterion_t>(criterion, others...);
 }
 
 /*!

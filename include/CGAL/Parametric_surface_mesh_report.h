@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Parametric_surface_mesher.h>
 
-#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/Mesh_criterion.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,18 +19,6 @@
 
 namespace CGAL {
 
-/// \ingroup PkgParametricSurfaceMesherRef
-/// why a triangle fails a criterion in the end.
-enum class Unmet_cause
-{
-  BOUNDARY,        ///< boundary-limited: it touches the boundary, which is never changed, and there is no better point
-  /// a point that helps would make an edge too short, by the minimum edge or, for the sake of an angle, by the spacing
-  MINIMUM_EDGE,
-  NO_BETTER_POINT, ///< none of the positions tried was acceptable, for another reason than these
-  VERTEX_LIMIT,    ///< the maximum number of vertices was reached
-  STOPPED          ///< the visitor stopped the refinement
-};
-
 /*!
 \ingroup PkgParametricSurfaceMesherRef
 
@@ -38,12 +26,13 @@ What meshing did, and what it could not do. Angles are in degrees and, as length
 */
 struct Parametric_surface_mesh_report
 {
-  /// a triangle that fails a criterion.
+  /// a triangle that fails criteria.
   struct Unmet
   {
-    std::size_t face;         ///< index of the face in the mesh, in the order of its creation
-    Mesh_criterion criterion; ///< what it fails first, in the order size, angle, deviation, distance
-    Unmet_cause cause;        ///< why
+    std::size_t face;                                  ///< index of the face in the mesh, in the order of its creation
+    Parametric_surface_mesher::Criterion_set criteria; ///< all that it fails
+    /// why the last attempt to refine it was refused, or why none was made
+    Parametric_surface_mesher::Unmet_cause cause;
   };
 
   /// a face of the model that the mesh is without: see `CGAL::parameters::leaves_out_bad_faces()`.
@@ -85,22 +74,31 @@ struct Parametric_surface_mesh_report
   /// points where the parametrisation is singular within an edge length, and chords gave the tensor in place of derivatives,
   /// or where the tensor of the metric field was not positive definite and was replaced
   std::size_t number_of_replaced_tensors = 0;
+  /// how often a bound on the work was reached: of a search for a place in the domain, of flips, of attempts to repair triangles
+  std::size_t number_of_work_limits = 0;
   std::size_t number_of_collapsed_faces = 0; ///< triangles on collapsed sides, which have no area and are left out
   double smallest_angle = 180;             ///< over all triangles
-  double smallest_angle_off_boundary = 180; ///< over the triangles that are not boundary-limited
+  /// over the triangles but those whose angle is too small because of the boundary
+  double smallest_angle_off_boundary = 180;
   std::vector<Unmet> unmet;                ///< every triangle that fails a criterion
   std::vector<Left_out_face> left_out;     ///< faces of the model that could not be meshed, by their indices
   Seconds seconds;
 
-  /// the number of triangles that fail `criterion` for `cause`.
-  std::size_t count(Mesh_criterion criterion, Unmet_cause cause) const
+  /// the number of triangles that fail `criterion`, and maybe others, for `cause`.
+  std::size_t count(Parametric_surface_mesher::Mesh_criterion criterion, Parametric_surface_mesher::Unmet_cause cause) const
   {
     return std::count_if(unmet.begin(), unmet.end(),
-                         [=](const Unmet& u) { return u.criterion == criterion && u.cause == cause; });
+                         [=](const Unmet& u) { return u.criteria.contains(criterion) && u.cause == cause; });
+  }
+
+  /// the number of triangles that fail `criterion`, and maybe others.
+  std::size_t count(Parametric_surface_mesher::Mesh_criterion criterion) const
+  {
+    return std::count_if(unmet.begin(), unmet.end(), [=](const Unmet& u) { return u.criteria.contains(criterion); });
   }
 
   /// the number of triangles that fail a criterion for `cause`.
-  std::size_t count(Unmet_cause cause) const
+  std::size_t count(Parametric_surface_mesher::Unmet_cause cause) const
   {
     return std::count_if(unmet.begin(), unmet.end(), [=](const Unmet& u) { return u.cause == cause; });
   }

@@ -20,6 +20,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/driver/check_types.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/leave_out_bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/mesh_model.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Criteria_with_own.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/model_of_patch.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Face_graph_filler.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Output_maps.h>
@@ -83,10 +84,23 @@ void output(Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParameters&
     mesh, tm, make_output_maps(vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map));
 }
 
+// The criteria with that of the user, if there is one.
+inline const Parametric_surface_mesh_criteria& with_own_criterion(const Parametric_surface_mesh_criteria& criteria,
+                                                                  internal_np::Param_not_found)
+{
+  return criteria;
+}
+
+template <class Criterion>
+Criteria_with_own<Criterion> with_own_criterion(const Parametric_surface_mesh_criteria& criteria, const Criterion& own)
+{
+  return Criteria_with_own<Criterion>(criteria, own);
+}
+
 // Meshes a model and hands the result over to `finish`, with the division. `Numbering` orders the points of the division.
-template <class ConcurrencyTag, class Model, class Criteria, class NamedParameters, class Numbering, class Finish>
-Parametric_surface_mesh_report mesh_model(const Model& model, const Criteria& criteria, const NamedParameters& np,
-                                          bool keeps_domain_points, bool keeps_corner_points, Numbering number_points,
+template <class ConcurrencyTag, class Model, class NamedParameters, class Numbering, class Finish>
+Parametric_surface_mesh_report mesh_model(const Model& model, const Parametric_surface_mesh_criteria& given_criteria,
+                                          const NamedParameters& np, bool keeps_domain_points, bool keeps_corner_points, Numbering number_points,
                                           Finish finish)
 {
   using parameters::choose_parameter;
@@ -97,6 +111,7 @@ Parametric_surface_mesh_report mesh_model(const Model& model, const Criteria& cr
   auto given_visitor = choose_parameter(get_parameter(np, internal_np::visitor), Parametric_surface_mesh_visitor());
   auto& visitor = unwrap(given_visitor);
 
+  const auto& criteria = with_own_criterion(given_criteria, get_parameter(np, Triangle_criterion_t()));
   Parametric_surface_mesh_report report;
   auto mesher = make_model_mesher(model, criteria, metric, visitor, report);
   auto division = mesher.divide();
@@ -113,8 +128,9 @@ Parametric_surface_mesh_report mesh_model(const Model& model, const Criteria& cr
 }
 
 // Meshes a model into a face graph.
-template <class ConcurrencyTag, class Model, class Criteria, class TriangleMesh, class NamedParameters, class Numbering>
-Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& model, const Criteria& criteria,
+template <class ConcurrencyTag, class Model, class TriangleMesh, class NamedParameters, class Numbering>
+Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& model,
+                                               const Parametric_surface_mesh_criteria& criteria,
                                                const NamedParameters& np, Numbering number_points)
 {
   return mesh_model<ConcurrencyTag>(model, criteria, np, wants_domain_points<NamedParameters>(),
@@ -147,7 +163,7 @@ large patch (see `Parametric_surface_mesh_criteria::set_part_size()`) are meshed
 that takes is said below, where models are meshed.
 \tparam Surface a model of `ParametricSurface_3`
 \tparam Kernel the kernel of the surface, `Surface::Geom_traits`
-\tparam Criteria a model of `ParametricSurfaceMeshCriteria_2`, usually `Parametric_surface_mesh_criteria`
+\tparam Criteria `Parametric_surface_mesh_criteria`
 \tparam TriangleMesh a model of `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -180,6 +196,11 @@ that takes is said below, where models are meshed.
     \cgalParamDescription{the metric field that decides which triangles are well shaped}
     \cgalParamType{a model of `ParametricSurfaceMetricField_2`}
     \cgalParamDefault{`CGAL::First_fundamental_form_metric_2`}
+  \cgalParamNEnd
+  \cgalParamNBegin{triangle_criterion}
+    \cgalParamDescription{a criterion of the user that the triangles are to meet, too}
+    \cgalParamType{a model of `ParametricSurfaceTriangleCriterion`}
+    \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{shows progress and can stop the refinement early; `std::ref` passes it by reference}

@@ -54,7 +54,6 @@ meshes a model as `make_parametric_surface_mesh()` does, into triangles that sha
 an edge, so that a model with edges of three or more faces, or of several shells, is meshed without being cut.
 
 \tparam Surface a model of `ParametricSurface_3`
-\tparam Criteria a model of `ParametricSurfaceMeshCriteria_2`, usually `Parametric_surface_mesh_criteria`
 \tparam Point_3 the point type of the surfaces
 \tparam Triangle a range of three numbers of points: `std::array<std::size_t, 3>`, or `std::vector<std::size_t>` as other
 polygon soups have it
@@ -74,10 +73,11 @@ What the three ranges held before is lost, unless the input is refused: then the
 \return counts, smallest angles, what was not met and why, and the time of each phase
 \throws Parametric_surface_mesh_error as `make_parametric_surface_mesh()`
 */
-template <class ConcurrencyTag = Sequential_tag, class Surface, class Criteria, class Point_3, class Triangle,
+template <class ConcurrencyTag = Sequential_tag, class Surface, class Point_3, class Triangle,
           class NamedParameters = parameters::Default_named_parameters>
 Parametric_surface_mesh_report
-make_parametric_surface_triangle_soup(const Parametric_surface_model_3<Surface>& model, const Criteria& criteria,
+make_parametric_surface_triangle_soup(const Parametric_surface_model_3<Surface>& model,
+                                      const Parametric_surface_mesh_criteria& criteria,
                                       std::vector<Point_3>& points, std::vector<Triangle>& triangles,
                                       std::vector<std::size_t>& patch_ids,
                                       const NamedParameters& np = parameters::default_values())

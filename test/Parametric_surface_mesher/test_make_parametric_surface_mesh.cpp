@@ -64,7 +64,7 @@ struct Stopping_visitor : CGAL::Parametric_surface_mesh_visitor
 };
 
 // An interrupted mesh is valid, and lists what is not done for `cause`.
-void check_interrupted(const Sample& sample, const Mesh& mesh, const Report& report, CGAL::Unmet_cause cause)
+void check_interrupted(const Sample& sample, const Mesh& mesh, const Report& report, CGAL::Parametric_surface_mesher::Unmet_cause cause)
 {
   check_topology(mesh, sample.domain.loops().size() - 1);
   EXPECT_GT(report.unmet.size(), 0u);
@@ -181,7 +181,7 @@ TEST(Make_parametric_surface_mesh, stopped_by_the_visitor)
     = add_patch(hole.surface, hole.domain, uniform(hole, 50000), mesh, CGAL::parameters::visitor(std::ref(visitor)));
   EXPECT_GE(mesh.number_of_vertices(), 2000u);
   EXPECT_LT(mesh.number_of_vertices(), 4000u);
-  check_interrupted(hole, mesh, report, CGAL::Unmet_cause::STOPPED);
+  check_interrupted(hole, mesh, report, CGAL::Parametric_surface_mesher::Unmet_cause::STOPPED);
 }
 
 TEST(Make_parametric_surface_mesh, vertex_limit)
@@ -190,5 +190,5 @@ TEST(Make_parametric_surface_mesh, vertex_limit)
   Mesh mesh;
   const Report report = add_patch(hole.surface, hole.domain, uniform(hole, 50000).set_max_number_of_vertices(3000), mesh);
   EXPECT_EQ(3000u, mesh.number_of_vertices());
-  check_interrupted(hole, mesh, report, CGAL::Unmet_cause::VERTEX_LIMIT);
+  check_interrupted(hole, mesh, report, CGAL::Parametric_surface_mesher::Unmet_cause::VERTEX_LIMIT);
 }

@@ -17,54 +17,21 @@
 
 namespace {
 
-// triangles must be small to the right of u = 0.5
-class Right_side_criteria
-  : public Criteria
+// inner edges must be short to the right of u = 0.5
+struct Right_side_criterion
 {
-  double m_max_edge_on_the_right;
+  double max_edge;
 
-public:
-  explicit Right_side_criteria(const Criteria& criteria, double max_edge_on_the_right)
-    : Criteria(criteria), m_max_edge_on_the_right(max_edge_on_the_right)
-  {}
-
-  template <class Oracle>
-  class Is_bad
-    : public Criteria::Is_bad<Oracle>
+  template <class Triangle>
+  double operator()(const Triangle& triangle) const
   {
-    typedef Criteria::Is_bad<Oracle> Base;
-
-    double m_max_edge;
-
-  public:
-    Is_bad(const Right_side_criteria& criteria, const Oracle& oracle)
-      : Base(criteria, oracle), m_max_edge(criteria.m_max_edge_on_the_right)
-    {}
-
-    using Base::operator();
-
-    template <class Face_handle>
-    CGAL::Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
-    {
-      const CGAL::Mesh_2::Face_badness badness = Base::operator()(f, quality);
-      if(badness != CGAL::Mesh_2::NOT_BAD)
-        return badness;
-      quality.criterion = CGAL::Mesh_criterion::USER;
-      quality.badness = 0;
-      for(int i = 0; i < 3; ++i) {
-        const auto &p = f->vertex(i)->point(), &q = f->vertex((i + 1) % 3)->point();
-        if(!f->is_constrained((i + 2) % 3) && p.x() > 0.5 && q.x() > 0.5)
-          quality.badness = (std::max)(quality.badness, squared_distance(p.surface_point(), q.surface_point())
-                                                          / (m_max_edge * m_max_edge));
-      }
-      return (*this)(quality);
+    double result = 0;
+    for(int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      if(!triangle.is_on_boundary((i + 2) % 3) && triangle.domain_point(i).x() > 0.5 && triangle.domain_point(j).x() > 0.5)
+        result = (std::max)(result, squared_distance(triangle.point(i), triangle.point(j)) / (max_edge * max_edge));
     }
-  };
-
-  template <class Oracle>
-  Is_bad<Oracle> is_bad_object(const Oracle& oracle) const
-  {
-    return Is_bad<Oracle>(*this, oracle);
+    return result;
   }
 };
 
@@ -230,7 +197,7 @@ TEST(Mesh_sizes, minimum_edge)
   EXPECT_GE(shortest, 0.5 * criteria.min_edge()); // a new point may be nearer to others than to its own triangle
   const auto unmet = unmet_by_face(report);
   for(const auto f : mesh.faces())
-    EXPECT_TRUE(unmet.count(f) == 1 || deviation(mesh, f, peak.surface, 2 * criteria.min_edge()) <= 0.001 * (1 + 1e-6)) << f;
+    EXPECT_TRUE(unmet.count(f) == 1 || deviation(mesh, f, peak.surface) <= 0.001 * (1 + 1e-6)) << f;
 }
 
 TEST(Mesh_sizes, distance)
@@ -243,7 +210,7 @@ TEST(Mesh_sizes, distance)
       const Criteria criteria = Criteria().set_max_edge(0.5).set_min_edge(1e-4).set_gamma(1).set_distance(distance);
       const Report report = add_patch(sample.surface, sample.domain, criteria, mesh);
       for(const auto& unmet : report.unmet)
-        EXPECT_EQ(CGAL::Mesh_criterion::ANGLE, unmet.criterion) << unmet.face; // next to the coarse boundary
+        EXPECT_TRUE(unmet.criteria == CGAL::Parametric_surface_mesher::Mesh_criterion::ANGLE) << unmet.face; // next to the coarse boundary
       EXPECT_LE(report.unmet.size(), 4 + 0.002 * double(report.number_of_faces));
       // sampled at 45 points of each triangle, where the mesher looks at four: hence the allowance
       const auto found = CGAL::triangle_mesh_deviation(mesh, sample.surface, uv_map(mesh), 8);
@@ -253,12 +220,12 @@ TEST(Mesh_sizes, distance)
   }
 }
 
-TEST(Mesh_sizes, criterion_of_a_derived_class)
+TEST(Mesh_sizes, criterion_of_the_user)
 {
   const Sample flat = make_sample("flat");
-  const Right_side_criteria criteria(Criteria().set_max_edge(0.1).set_min_edge(0.001), 0.05);
   Mesh mesh;
-  const Report report = add_patch(flat.surface, flat.domain, criteria, mesh);
+  const Report report = add_patch(flat.surface, flat.domain, Criteria().set_max_edge(0.1).set_min_edge(0.001), mesh,
+                                  CGAL::parameters::triangle_criterion(Right_side_criterion{0.05}));
   const auto unmet = unmet_by_face(report);
   std::size_t on_the_right = 0;
   for(const auto f : mesh.faces()) {
@@ -271,11 +238,11 @@ TEST(Mesh_sizes, criterion_of_a_derived_class)
   EXPECT_GT(on_the_right, 3 * mesh.number_of_faces() / 4);
 }
 
-TEST(Mesh_sizes, derived_criterion_that_cannot_be_met_is_reported)
+TEST(Mesh_sizes, criterion_of_the_user_that_cannot_be_met_is_reported)
 {
   const Sample flat = make_sample("flat");
-  const Right_side_criteria criteria(Criteria().set_max_edge(0.1).set_min_edge(0.03), 0.01);
   Mesh mesh;
-  const Report report = add_patch(flat.surface, flat.domain, criteria, mesh);
-  EXPECT_GT(report.count(CGAL::Mesh_criterion::USER, CGAL::Unmet_cause::MINIMUM_EDGE), 0u);
+  const Report report = add_patch(flat.surface, flat.domain, Criteria().set_max_edge(0.1).set_min_edge(0.03), mesh,
+                                  CGAL::parameters::triangle_criterion(Right_side_criterion{0.01}));
+  EXPECT_GT(report.count(CGAL::Parametric_surface_mesher::Mesh_criterion::USER, CGAL::Parametric_surface_mesher::Unmet_cause::MINIMUM_EDGE), 0u);
 }

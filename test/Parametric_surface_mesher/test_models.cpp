@@ -121,7 +121,7 @@ TEST(Models, teapot)
     expect_topology(m, 4, 7, 1); // lid, and body, handle and spout with two openings each
     EXPECT_GT(m.quality.min_angle, 5);
     EXPECT_LE(m.report.unmet.size(), m.mesh.number_of_faces() / 200);
-    EXPECT_LE(m.report.count(CGAL::Unmet_cause::NO_BETTER_POINT), m.mesh.number_of_faces() / 2000);
+    EXPECT_LE(m.report.count(CGAL::Parametric_surface_mesher::Unmet_cause::NO_BETTER_POINT), m.mesh.number_of_faces() / 2000);
   }
 }
 

@@ -22,6 +22,8 @@
 namespace {
 
 namespace internal = CGAL::Parametric_surface_mesher::internal;
+using CGAL::Parametric_surface_mesher::Criterion_set;
+using CGAL::Parametric_surface_mesher::Mesh_criterion;
 
 typedef Plane_triangulation::Face_handle Face_handle;
 typedef Plane_triangulation::Vertex_handle Vertex_handle;
@@ -51,7 +53,7 @@ struct Wheel
     }
     for(Face_handle face : triangulation.finite_face_handles()) {
       face->set_in_domain(true);
-      face->set_state(internal::Face_state::GOOD);
+      face->set_verdict({{}, internal::Scope::WHOLE});
     }
   }
 
@@ -59,23 +61,23 @@ struct Wheel
 };
 
 // what fails is for the test to say
-struct Own_is_bad
+struct Own_judge
 {
-  typedef Criteria::Quality Quality;
-
   std::function<bool(Face_handle)> fails = [](Face_handle) { return false; };
 
-  CGAL::Mesh_2::Face_badness operator()(Face_handle face, Quality&) const
+  Criterion_set first_failed(Face_handle face) const
   {
-    return fails(face) ? CGAL::Mesh_2::BAD : CGAL::Mesh_2::NOT_BAD;
+    return fails(face) ? Criterion_set(Mesh_criterion::ANGLE) : Criterion_set();
   }
+
+  bool is_inverted(Face_handle) const { return false; }
 };
 
 // returns the number of moves
-std::size_t polish(Wheel& wheel, const Own_is_bad& is_bad, int number_of_sweeps)
+std::size_t polish(Wheel& wheel, const Own_judge& judge, int number_of_sweeps)
 {
   const Plane_evaluator evaluate{};
-  internal::Patch_polishing<Plane_evaluator, Own_is_bad> sweep(wheel.triangulation, evaluate, is_bad, Criteria());
+  internal::Patch_polishing<Plane_evaluator, Own_judge> sweep(wheel.triangulation, evaluate, judge, Criteria());
   std::size_t result = 0;
   for(int i = 0; i < number_of_sweeps; ++i)
     result += sweep();
@@ -150,7 +152,7 @@ TEST(Patch_polishing, climbs_to_the_middle)
 {
   Wheel wheel(Plane_point(0.12, 0.1));
   const double before = mean_quality(wheel, wheel.center->point());
-  EXPECT_GT(polish(wheel, Own_is_bad(), 20), 3u);
+  EXPECT_GT(polish(wheel, Own_judge(), 20), 3u);
   EXPECT_GT(mean_quality(wheel, wheel.center->point()), before);
   EXPECT_LT(wheel.distance(), 0.06); // as good as perfect
 }
@@ -158,7 +160,7 @@ TEST(Patch_polishing, climbs_to_the_middle)
 TEST(Patch_polishing, leaves_what_is_perfect)
 {
   Wheel wheel(Plane_point(0.001, 0));
-  EXPECT_EQ(0u, polish(wheel, Own_is_bad(), 3));
+  EXPECT_EQ(0u, polish(wheel, Own_judge(), 3));
   EXPECT_EQ(at(Plane_point(0.001, 0)), wheel.center->point());
 }
 
@@ -166,18 +168,18 @@ TEST(Patch_polishing, leaves_what_is_kept)
 {
   Wheel wheel(Plane_point(0.12, 0.1));
   wheel.center->set_kept(true);
-  EXPECT_EQ(0u, polish(wheel, Own_is_bad(), 3));
+  EXPECT_EQ(0u, polish(wheel, Own_judge(), 3));
 }
 
 // All that is left of x = 0.1 fails.
 TEST(Patch_polishing, makes_no_triangle_fail)
 {
   Wheel wheel(Plane_point(0.12, 0.1));
-  const Own_is_bad is_bad{[&](Face_handle) { return wheel.center->point().x() < 0.1; }};
-  EXPECT_GT(polish(wheel, is_bad, 20), 0u);
+  const Own_judge judge{[&](Face_handle) { return wheel.center->point().x() < 0.1; }};
+  EXPECT_GT(polish(wheel, judge, 20), 0u);
   EXPECT_GE(wheel.center->point().x(), 0.1);
   for(Face_handle face : wheel.triangulation.finite_face_handles())
-    EXPECT_EQ(internal::Face_state::GOOD, face->state());
+    EXPECT_FALSE(face->verdict().fails());
 }
 
 // What fails anyway may be made better.
@@ -185,9 +187,9 @@ TEST(Patch_polishing, moves_what_fails)
 {
   Wheel wheel(Plane_point(0.12, 0.1));
   for(Face_handle face : wheel.triangulation.finite_face_handles())
-    face->set_state(internal::Face_state::BLOCKED);
-  EXPECT_GT(polish(wheel, Own_is_bad{[](Face_handle) { return true; }}, 20), 3u);
+    face->set_verdict({Mesh_criterion::ANGLE, internal::Scope::WHOLE});
+  EXPECT_GT(polish(wheel, Own_judge{[](Face_handle) { return true; }}, 20), 3u);
   EXPECT_LT(wheel.distance(), 0.06);
   for(Face_handle face : wheel.triangulation.finite_face_handles())
-    EXPECT_EQ(internal::Face_state::BLOCKED, face->state());
+    EXPECT_TRUE(face->verdict().fails());
 }

@@ -31,11 +31,11 @@ void check_patches(std::uint64_t seed, int number_of_patches, const Allowance& a
   for(int i = 0; i < number_of_patches; ++i) {
     SCOPED_TRACE("patch " + std::to_string(i));
     const Random_patch patch = make_patch(generator);
-    Report report;
+    Checked_report report;
     ASSERT_NO_THROW(report = check_invariants(patch.surface, patch.domain, patch.criteria, allowance.rings));
     ASSERT_FALSE(::testing::Test::HasFailure()) << "one broken patch tells enough";
     number_of_faces += report.number_of_faces;
-    number_left += report.count(CGAL::Unmet_cause::NO_BETTER_POINT);
+    number_left += report.number_left_inside;
   }
   EXPECT_GT(number_of_faces, 200u * number_of_patches);
   EXPECT_LE(number_left, allowance.share * number_of_faces);

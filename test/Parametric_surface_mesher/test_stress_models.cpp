@@ -596,7 +596,7 @@ TEST(Solids, vertex_limit_for_the_whole_model)
     EXPECT_TRUE(mesh.is_valid());
     EXPECT_TRUE(CGAL::is_closed(mesh));
     EXPECT_LE(mesh.number_of_vertices(), (std::max)(limit, report.number_of_boundary_edges));
-    EXPECT_GT(report.count(CGAL::Unmet_cause::VERTEX_LIMIT), 0u);
+    EXPECT_GT(report.count(CGAL::Parametric_surface_mesher::Unmet_cause::VERTEX_LIMIT), 0u);
   }
 }
 

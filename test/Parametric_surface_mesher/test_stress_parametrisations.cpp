@@ -337,7 +337,7 @@ void check_crease_inside(const Spline& spline, double max_edge)
   EXPECT_NEAR(1, m.area / area_of(spline), 0.02);
   EXPECT_LE(m.triangles.size(), 40000u);
   for(const auto& unmet : m.report.unmet)
-    EXPECT_NE(CGAL::Unmet_cause::VERTEX_LIMIT, unmet.cause);
+    EXPECT_NE(CGAL::Parametric_surface_mesher::Unmet_cause::VERTEX_LIMIT, unmet.cause);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/support/Last_value.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Domain_walk.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Star_of_point.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Vertex_insertion.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Vertex_removal.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/for_each_with_lookahead.h>
@@ -120,6 +121,39 @@ TEST(Vertex_insertion, is_that_of_CGAL)
     else
       EXPECT_GT(number_on_edges, 100u);
   }
+}
+
+// A walk, and a star, that would take more steps than they may say so.
+TEST(Work_limits, of_walks_and_stars)
+{
+  Triangulation t;
+  add_square(t, at);
+  for(Face_handle face : t.finite_face_handles())
+    face->set_in_domain(true);
+  Random_input random(2);
+  internal::Vertex_insertion<Triangulation> insertion(t);
+  for(int n = 0; n < 200; ++n) {
+    const Point_2 p(random.dyadic(40), random.dyadic(40));
+    const Location location = internal::walk_in_domain(t, t.finite_faces_begin(), p);
+    if(location.kind == Location::IN_FACE)
+      insertion.insert_in_face(at(p), location.face);
+  }
+  const Face_handle start = t.finite_faces_begin();
+  std::size_t number_lost = 0, number_cut_short = 0;
+  for(Face_handle face : t.finite_face_handles()) {
+    if(!face->is_in_domain())
+      continue;
+    const Point_2 p = CGAL::centroid(face->vertex(0)->point().domain_point(), face->vertex(1)->point().domain_point(),
+                                     face->vertex(2)->point().domain_point());
+    const Location location = internal::walk_in_domain(t, start, p);
+    EXPECT_NE(Location::LOST, location.kind);
+    number_lost += internal::walk_in_domain(t, start, p, 2).kind == Location::LOST;
+    internal::Star_of_point<Triangulation> star(t), small_star(t, 3);
+    number_cut_short += star.compute(at(p), face).size() > 5 && (small_star.compute(at(p), face), small_star.is_cut_short());
+    EXPECT_FALSE(star.is_cut_short());
+  }
+  EXPECT_GT(number_lost, t.number_of_faces() / 2);
+  EXPECT_GT(number_cut_short, t.number_of_faces() / 10);
 }
 
 // Inner vertices are taken out, in every second case after it was undone, until those of the square and a few others are

@@ -132,9 +132,6 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
   const auto& q = result.quality;
   const auto& m = result.measures;
   const auto& s = result.report.seconds;
-  nlohmann::ordered_json unmet = nlohmann::ordered_json::array();
-  for(const mesh_patch::Unmet_count& count : mesh_patch::unmet_counts(result.report))
-    unmet.push_back({{"criterion", count.criterion}, {"cause", count.cause}, {"triangles", count.triangles}});
   return {{"max_edge", result.criteria.max_edge()},
           {"min_edge", result.criteria.min_edge()},
           {"gamma", result.criteria.gamma()},
@@ -155,7 +152,8 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"sliver_faces", numbers_from_1(faces_of_shape(result, m.sliver_faces))},
           {"distance", m.distance},
           {"distance_over_diagonal", m.distance / result.shape.diagonal},
-          {"unmet_by", unmet},
+          {"unmet_by", mesh_patch::json_of_unmet(result.report)},
+          {"work_limits", result.report.number_of_work_limits},
           {"seconds", {{"reading", result.reading_seconds}, {"model", result.model_seconds},
                        {"meshing", result.meshing_seconds}, {"measuring", result.measuring_seconds}}},
           {"meshing_phases", {{"division", s.division}, {"triangulation", s.triangulation}, {"refinement", s.refinement},
@@ -259,9 +257,7 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
         << mesh_patch::plural(m.sliver_faces.size(), "sliver face") << "\n";
   out << "  distance from the shape: at most " << m.distance << " (" << m.distance / result.shape.diagonal
       << " of its diagonal)\n";
-  for(const mesh_patch::Unmet_count& count : mesh_patch::unmet_counts(result.report))
-    out << "  not met: " << count.criterion << " of " << mesh_patch::plural(count.triangles, "triangle") << ", because of the "
-        << count.cause << "\n";
+  mesh_patch::print_unmet(out, result.report);
   out << "  " << result.meshing_seconds << " s for meshing (reading " << result.reading_seconds << ", model "
       << result.model_seconds << ", measuring " << result.measuring_seconds << ")\n";
 }

@@ -114,16 +114,14 @@ inline nlohmann::ordered_json json_of_shape(const CGAL::Triangle_mesh_quality& q
 
 inline nlohmann::ordered_json json_of_report(const CGAL::Parametric_surface_mesh_report& report)
 {
-  const std::size_t boundary_limited = report.count(CGAL::Unmet_cause::BOUNDARY);
-  nlohmann::ordered_json by = nlohmann::ordered_json::array();
-  for(const Unmet_count& count : unmet_counts(report))
-    by.push_back({{"criterion", count.criterion}, {"cause", count.cause}, {"triangles", count.triangles}});
+  const std::size_t boundary_limited = report.count(CGAL::Parametric_surface_mesher::Unmet_cause::BOUNDARY);
   const auto& s = report.seconds;
   return {{"min_angle_off_boundary", report.smallest_angle_off_boundary},
           {"division_edges", report.number_of_boundary_edges},
           {"boundary_limited", boundary_limited},
           {"unmet", report.unmet.size() - boundary_limited},
-          {"unmet_by", by},
+          {"unmet_by", json_of_unmet(report)},
+          {"work_limits", report.number_of_work_limits},
           {"seconds", {{"division", s.division}, {"triangulation", s.triangulation}, {"refinement", s.refinement},
                        {"improvement", s.improvement}, {"output", s.output}, {"meshing", s.meshing()}}}};
 }
@@ -195,11 +193,7 @@ inline void print_summary(std::ostream& out, const Mesh_patch_input& input, cons
       << " on the boundary; distance: at most " << d.max_distance_to_face << "\n";
   if(const std::size_t n = d.number_of_inverted_faces + d.number_of_domain_violations)
     out << "  INVERTED: " << plural(n, "triangle") << "\n";
-  if(result.report.unmet.empty())
-    out << "  all triangles meet the criteria\n";
-  for(const Unmet_count& count : unmet_counts(result.report))
-    out << "  not met: " << count.criterion << " of " << plural(count.triangles, "triangle") << ", because of the "
-        << count.cause << "\n";
+  print_unmet(out, result.report);
   out << "  " << s.meshing() << " s: division " << s.division << ", triangulation " << s.triangulation << ", refinement "
       << s.refinement << ", improvement " << s.improvement << ", output " << s.output << "\n";
 }

@@ -3,37 +3,63 @@
 #ifndef UNMET_COUNT_H
 #define UNMET_COUNT_H
 
+#include "Usage_error.h"
+
 #include <CGAL/Parametric_surface_mesh_report.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cstddef>
+#include <map>
+#include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace mesh_patch {
 
+// Triangles that fail the same criteria for the same cause.
 struct Unmet_count
 {
-  const char *criterion, *cause;
+  CGAL::Parametric_surface_mesher::Criterion_set criteria;
+  CGAL::Parametric_surface_mesher::Unmet_cause cause;
   std::size_t triangles;
 };
 
-// The triangles that fail, by criterion and cause, without those that there are none of.
+// by cause, then criteria
 inline std::vector<Unmet_count> unmet_counts(const CGAL::Parametric_surface_mesh_report& report)
 {
-  using CGAL::Mesh_criterion;
-  using CGAL::Unmet_cause;
-  static const std::pair<Mesh_criterion, const char*> criteria[]
-    = {{Mesh_criterion::SIZE, "size"}, {Mesh_criterion::ANGLE, "angle"}, {Mesh_criterion::DEVIATION, "deviation"},
-       {Mesh_criterion::DISTANCE, "distance"}};
-  static const std::pair<Unmet_cause, const char*> causes[]
-    = {{Unmet_cause::BOUNDARY, "boundary"}, {Unmet_cause::MINIMUM_EDGE, "minimum edge"},
-       {Unmet_cause::NO_BETTER_POINT, "lack of a better point"}, {Unmet_cause::VERTEX_LIMIT, "vertex limit"},
-       {Unmet_cause::STOPPED, "stopped"}};
+  using namespace CGAL::Parametric_surface_mesher;
+  std::map<std::pair<Unmet_cause, Criterion_set>, std::size_t> counts;
+  for(const auto& unmet : report.unmet)
+    ++counts[{unmet.cause, unmet.criteria}];
   std::vector<Unmet_count> result;
-  for(const auto& cause : causes)
-    for(const auto& criterion : criteria)
-      if(const std::size_t n = report.count(criterion.first, cause.first))
-        result.push_back({criterion.second, cause.second, n});
+  for(const auto& count : counts)
+    result.push_back({count.first.second, count.first.first, count.second});
+  return result;
+}
+
+inline void print_unmet(std::ostream& out, const CGAL::Parametric_surface_mesh_report& report)
+{
+  if(report.unmet.empty())
+    out << "  all triangles meet the criteria\n";
+  for(const Unmet_count& count : unmet_counts(report))
+    out << "  not met: " << names(count.criteria) << " of " << plural(count.triangles, "triangle") << ", because of the "
+        << name(count.cause) << "\n";
+  if(report.number_of_work_limits > 0)
+    out << "  bounds on the work were reached " << plural(report.number_of_work_limits, "time") << "\n";
+}
+
+inline nlohmann::ordered_json json_of_unmet(const CGAL::Parametric_surface_mesh_report& report)
+{
+  nlohmann::ordered_json result = nlohmann::ordered_json::array();
+  for(const Unmet_count& count : unmet_counts(report)) {
+    nlohmann::ordered_json criteria = nlohmann::ordered_json::array();
+    for(const auto criterion : CGAL::Parametric_surface_mesher::all_criteria())
+      if(count.criteria.contains(criterion))
+        criteria.push_back(name(criterion));
+    result.push_back({{"criteria", criteria}, {"cause", name(count.cause)}, {"triangles", count.triangles}});
+  }
   return result;
 }
 

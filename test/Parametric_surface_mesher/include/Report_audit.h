@@ -45,7 +45,7 @@ class Report_audit
   typedef Mesh_with_domain<Kernel> Result;
   typedef typename Result::Face_index Face_index;
   typedef CGAL::Parametric_surface_mesh_criteria Criteria;
-  typedef decltype(CGAL::Parametric_surface_mesh_report::Unmet::criterion) Criterion;
+  typedef CGAL::Parametric_surface_mesher::Mesh_criterion Criterion;
 
   struct Corner
   {
@@ -70,7 +70,9 @@ public:
   {
     std::set<std::pair<std::size_t, Criterion>> reported;
     for(const auto& unmet : m_result.report.unmet)
-      reported.insert({unmet.face, unmet.criterion});
+      for(const Criterion criterion : CGAL::Parametric_surface_mesher::all_criteria())
+        if(unmet.criteria.contains(criterion))
+          reported.insert({unmet.face, criterion});
     for(const Face_index f : m_result.mesh.faces()) {
       const Triangle t = triangle(f);
       if(m_has_default_metric)

@@ -99,11 +99,16 @@ inline void check_identical_connectivity(const Mesh& a, const Mesh& b)
 template <class Surface>
 class Report_check
 {
+  typedef CGAL::Parametric_surface_mesher::Criterion_set Criterion_set;
+  typedef CGAL::Parametric_surface_mesher::Mesh_criterion Mesh_criterion;
+  typedef CGAL::Parametric_surface_mesher::Unmet_cause Unmet_cause;
+
   const Mesh& m_mesh;
   const Surface& m_surface;
   const Criteria& m_criteria;
   const Report& m_report;
   int m_rings;
+  std::size_t m_number_left_inside = 0;
   double m_smallest_spacing; // that a vertex can have
 
 public:
@@ -117,7 +122,10 @@ public:
         m_smallest_spacing = (std::min)(m_smallest_spacing, border_spacing(v));
   }
 
-  void operator()() const
+  // Faces that do not touch the border, and are left although there is room for points.
+  std::size_t number_left_inside() const { return m_number_left_inside; }
+
+  void operator()()
   {
     EXPECT_EQ(m_mesh.number_of_vertices(), m_report.number_of_vertices);
     EXPECT_EQ(m_mesh.number_of_faces(), m_report.number_of_faces);
@@ -156,47 +164,59 @@ private:
 
   double angle(Mesh::Face_index f) const { return shape(m_mesh, f).min_angle; }
 
-  double deviation(Mesh::Face_index f) const { return ::deviation(m_mesh, f, m_surface, 2 * m_criteria.min_edge()); }
+  double deviation(Mesh::Face_index f) const { return ::deviation(m_mesh, f, m_surface); }
 
   double distance_ratio(Mesh::Face_index f) const
   {
-    return m_criteria.distance() && shape(m_mesh, f).longest > 2 * m_criteria.min_edge()
-             ? distance_to_surface(m_mesh, f, m_surface) / *m_criteria.distance()
-             : 0;
+    return m_criteria.distance() ? distance_to_surface(m_mesh, f, m_surface) / *m_criteria.distance() : 0;
   }
 
-  void expect_met(Mesh::Face_index f) const
+  // But for rounding, each of them is listed if, and only if, it is failed.
+  void expect_met(Mesh::Face_index f, Criterion_set but_for = Criterion_set()) const
   {
-    EXPECT_LT(size_ratio(f, m_criteria.max_edge()), 1 + 1e-9) << f;
-    EXPECT_GT(angle(f), m_criteria.angle() * (1 - 1e-9)) << f;
-    EXPECT_LT(deviation(f), m_criteria.gamma() * (1 + 1e-6)) << f;
-    EXPECT_LT(distance_ratio(f), 1 + 1e-6) << f;
-  }
-
-  void expect_unmet(Mesh::Face_index f, const Report::Unmet& unmet) const
-  {
-    switch(unmet.criterion) {
-    case CGAL::Mesh_criterion::SIZE: EXPECT_GT(size_ratio(f, m_smallest_spacing), 0.9) << f; break;
-    case CGAL::Mesh_criterion::ANGLE: EXPECT_LT(angle(f), m_criteria.angle() * (1 + 1e-9)) << f; break;
-    case CGAL::Mesh_criterion::DEVIATION: EXPECT_GT(deviation(f), m_criteria.gamma() * (1 - 1e-6)) << f; break;
-    case CGAL::Mesh_criterion::DISTANCE: EXPECT_GT(distance_ratio(f), 1 - 1e-6) << f; break;
-    default: ADD_FAILURE() << "a criterion of the user, where there is none";
+    if(!but_for.contains(Mesh_criterion::SIZE)) {
+      EXPECT_LT(size_ratio(f, m_criteria.max_edge()), 1 + 1e-9) << f;
     }
+    if(!but_for.contains(Mesh_criterion::ANGLE)) {
+      EXPECT_GT(angle(f), m_criteria.angle() * (1 - 1e-9)) << f;
+    }
+    if(!but_for.contains(Mesh_criterion::DEVIATION)) {
+      EXPECT_LT(deviation(f), m_criteria.gamma() * (1 + 1e-6)) << f;
+    }
+    if(!but_for.contains(Mesh_criterion::DISTANCE)) {
+      EXPECT_LT(distance_ratio(f), 1 + 1e-6) << f;
+    }
+  }
+
+  void expect_unmet(Mesh::Face_index f, const Report::Unmet& unmet)
+  {
+    EXPECT_FALSE(unmet.criteria.empty()) << f;
+    expect_met(f, unmet.criteria);
+    if(unmet.criteria.contains(Mesh_criterion::SIZE)) {
+      EXPECT_GT(size_ratio(f, m_smallest_spacing), 0.9) << f;
+    }
+    if(unmet.criteria.contains(Mesh_criterion::ANGLE)) {
+      EXPECT_LT(angle(f), m_criteria.angle() * (1 + 1e-9)) << f;
+    }
+    if(unmet.criteria.contains(Mesh_criterion::DEVIATION)) {
+      EXPECT_GT(deviation(f), m_criteria.gamma() * (1 - 1e-6)) << f;
+    }
+    if(unmet.criteria.contains(Mesh_criterion::DISTANCE)) {
+      EXPECT_GT(distance_ratio(f), 1 - 1e-6) << f;
+    }
+    EXPECT_FALSE(unmet.criteria.contains(Mesh_criterion::USER)) << f << " fails a criterion that there is not";
     expect_cause(f, unmet.cause);
   }
 
-  // Away from the boundary only the minimum edge is in the way. Some triangles near the boundary are left because those on
-  // it are.
-  void expect_cause(Mesh::Face_index f, CGAL::Unmet_cause cause) const
+  // Away from the boundary a face is left only where there is no room for points. Some faces near the boundary are left because
+  // those on it are.
+  void expect_cause(Mesh::Face_index f, Unmet_cause cause)
   {
-    if(touches_border(m_mesh, f))
-      EXPECT_EQ(CGAL::Unmet_cause::BOUNDARY, cause) << f;
-    else if(cause == CGAL::Unmet_cause::NO_BETTER_POINT)
-      EXPECT_TRUE(is_near_border(f)) << f << " is left in the midst of the mesh";
-    else {
-      EXPECT_EQ(CGAL::Unmet_cause::MINIMUM_EDGE, cause) << f;
-      EXPECT_LT(shape(m_mesh, f).shortest, 2.5 * m_criteria.min_edge()) << f << " has room for a point";
-    }
+    const bool has_room = shape(m_mesh, f).shortest >= 2.5 * m_criteria.min_edge();
+    EXPECT_TRUE(cause != Unmet_cause::VERTEX_LIMIT && cause != Unmet_cause::STOPPED) << f << ": nobody has asked for that";
+    EXPECT_FALSE(cause == Unmet_cause::MINIMUM_EDGE && has_room) << f << " has room for a point";
+    EXPECT_TRUE(!has_room || is_near_border(f)) << f << " is left in the midst of the mesh because of the " << name(cause);
+    m_number_left_inside += has_room && !touches_border(m_mesh, f);
   }
 
   bool is_near_border(Mesh::Face_index f) const
@@ -213,16 +233,24 @@ private:
   }
 };
 
+struct Checked_report
+  : public Report
+{
+  std::size_t number_left_inside = 0; // see Report_check
+};
+
 // All of the above for one patch; returns the report.
 template <class Surface>
-Report check_invariants(const Surface& surface, const Domain& domain, const Criteria& criteria, int rings = 1)
+Checked_report check_invariants(const Surface& surface, const Domain& domain, const Criteria& criteria, int rings = 1)
 {
   Mesh mesh, again;
-  const Report report = add_patch(surface, domain, criteria, mesh);
+  Checked_report report{add_patch(surface, domain, criteria, mesh)};
   add_patch(surface, domain, criteria, again);
   check_topology(mesh, domain.loops().size() - 1);
   check_boundary(mesh, division(surface, domain, criteria));
-  Report_check<Surface>(mesh, surface, criteria, report, rings)();
+  Report_check<Surface> check(mesh, surface, criteria, report, rings);
+  check();
+  report.number_left_inside = check.number_left_inside();
   check_identical(mesh, again);
   return report;
 }

@@ -95,27 +95,23 @@ double height(const Mesh& mesh, Mesh::Edge_index e, const Surface& surface)
   return std::sqrt(cross_product(chord, to_surface).squared_length() / chord.squared_length());
 }
 
-// The largest ratio H/L of the edges of a face that have two faces and are longer than `min_edge`.
+// The largest ratio H/L of the edges of a face.
 template <class Surface>
-double deviation(const Mesh& mesh, Mesh::Face_index f, const Surface& surface, double min_edge)
+double deviation(const Mesh& mesh, Mesh::Face_index f, const Surface& surface)
 {
   double result = 0;
-  for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-    const Mesh::Edge_index e = mesh.edge(h);
-    if(!mesh.is_border(e) && length(mesh, e) > min_edge)
-      result = (std::max)(result, height(mesh, e, surface) / length(mesh, e));
-  }
+  for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+    result = (std::max)(result, height(mesh, mesh.edge(h), surface) / length(mesh, mesh.edge(h)));
   return result;
 }
 
-// The distance of the surface from a face, at the middles of edges that have two faces and at the centroid.
+// The distance of the surface from a face, at the middles of its edges and at the centroid.
 template <class Surface>
 double distance_to_surface(const Mesh& mesh, Mesh::Face_index f, const Surface& surface)
 {
   double result = 0;
   for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
-    if(!mesh.is_border(mesh.edge(h)))
-      result = (std::max)(result, height(mesh, mesh.edge(h), surface));
+    result = (std::max)(result, height(mesh, mesh.edge(h), surface));
   const Uv_map uv = uv_map(mesh);
   const auto v = corners(mesh, f);
   const Point_2 center = CGAL::centroid(uv[v[0]], uv[v[1]], uv[v[2]]);

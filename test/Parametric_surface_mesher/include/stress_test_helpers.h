@@ -227,7 +227,7 @@ inline void check_listed_angles(const Meshed& m, double bound)
     const double angle = m.min_angle(t);
     const auto unmet = listed.find(t);
     silent += angle < bound - 1e-6 && unmet == listed.end();
-    wrong += angle > bound + 1e-6 && unmet != listed.end() && unmet->second.criterion == CGAL::Mesh_criterion::ANGLE;
+    wrong += angle > bound + 1e-6 && unmet != listed.end() && unmet->second.criteria.contains(CGAL::Parametric_surface_mesher::Mesh_criterion::ANGLE);
     smallest = (std::min)(smallest, angle);
   }
   EXPECT_EQ(0u, silent) << "triangles with an angle below " << bound << " degrees are not in the report";
@@ -296,7 +296,7 @@ inline void check_mesh(const Meshed& m, const Criteria& criteria)
   EXPECT_EQ(0u, number_of_degenerate_triangles(m));
   check_listed_angles(m, criteria.angle());
   check_listed_sizes(m, m.report.max_edge);
-  EXPECT_EQ(0u, m.report.count(CGAL::Unmet_cause::STOPPED)) << "it takes too long";
+  EXPECT_EQ(0u, m.report.count(CGAL::Parametric_surface_mesher::Unmet_cause::STOPPED)) << "it takes too long";
 }
 
 inline double diagonal(const Mesh& mesh)

@@ -76,8 +76,9 @@ constexpr bool check_surface()
 template <class Criteria, class NamedParameters>
 constexpr bool check_options()
 {
-  constexpr bool is_criteria = std::is_base_of<Parametric_surface_mesh_criteria, Criteria>::value;
-  static_assert(is_criteria, "The criteria must be a Parametric_surface_mesh_criteria, or of a class that derives from it.");
+  constexpr bool is_criteria = std::is_same<Parametric_surface_mesh_criteria, Criteria>::value;
+  static_assert(is_criteria, "The criteria must be a Parametric_surface_mesh_criteria; a criterion of your own is passed by the "
+                             "named parameter triangle_criterion.");
   constexpr bool is_visitor = Is_visitor<Visitor_of_parameters<NamedParameters>>::value;
   static_assert(is_visitor, "The visitor must be a model of ParametricSurfaceMeshVisitor: it has the functions on_phase(name), "
                             "on_progress(number_of_vertices, number_of_bad_faces) and go_further().");

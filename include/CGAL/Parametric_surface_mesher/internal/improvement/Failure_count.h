@@ -8,8 +8,9 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_IMPROVEMENT_FAILURE_COUNT_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_IMPROVEMENT_FAILURE_COUNT_H
 
-#include <CGAL/Mesh_2/Face_badness.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/Mesh_criterion.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Face_judge.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 
@@ -19,66 +20,78 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Counts faces that fail a criterion: what the repair may not raise.
-template <class Evaluator, class IsBad>
+// How many faces fail: one on the wrong side of the surface, or that fails another criterion than the angle, weighs more than
+// any number of small angles.
+struct Failures
+{
+  std::size_t others = 0, angles = 0;
+
+  bool are_more_than(const Failures& limit) const
+  {
+    return others != limit.others ? others > limit.others : angles > limit.angles;
+  }
+};
+
+const Failures no_limit_of_failures = {std::size_t(-1), std::size_t(-1)};
+
+// Judges faces, and counts those that fail a criterion: what the repair may not raise.
+template <class Judge>
 class Failure_count
 {
   static constexpr double share_of_far_below = 0.6; // of the squared sine of the criterion: 23 degrees, for one of 30
   static constexpr double share_of_needles = 0.47;  // 20 degrees
 
-  const Evaluator& m_evaluate;
-  const IsBad& m_is_bad;
+  const Judge& m_judge;
   double m_squared_sine_of_criterion;
 
 public:
-  Failure_count(const Evaluator& evaluate, const IsBad& is_bad, const Parametric_surface_mesh_criteria& criteria)
-    : m_evaluate(evaluate), m_is_bad(is_bad), m_squared_sine_of_criterion(squared_sine_of_degrees(criteria.angle()))
+  Failure_count(const Judge& judge, const Parametric_surface_mesh_criteria& criteria)
+    : m_judge(judge), m_squared_sine_of_criterion(squared_sine_of_degrees(criteria.angle()))
   {}
 
   bool is_needle(double squared_sine) const { return squared_sine < share_of_needles * m_squared_sine_of_criterion; }
 
-  // How many fail a criterion; one that fails another one than the angle counts more than a whole star that fails that. To
-  // raise a smallest angle far below the criterion, others beside the boundary may get below it; those in the midst of the
-  // mesh, where most often there is a better way, for that of a needle alone. Above `limit` the count may stop; else the
-  // state of all faces is known after it.
+  // To raise a smallest angle far below the criterion, others beside the boundary may get below it; those in the midst of the
+  // mesh, where most often there is a better way, for that of a needle alone. Above `limit` the count may stop; else there is
+  // a verdict on all faces after it.
   template <class Faces>
-  std::size_t operator()(const Faces& faces, double squared_smallest_sine, std::size_t limit = std::size_t(-1)) const
+  Failures operator()(const Faces& faces, double squared_smallest_sine, const Failures& limit = no_limit_of_failures) const
   {
     const bool may_fail_angle = is_needle(squared_smallest_sine),
                may_fail_beside_boundary = squared_smallest_sine < share_of_far_below * m_squared_sine_of_criterion;
-    std::size_t result = 0;
+    Failures result;
     for(const auto& face : faces) {
-      if(face->state() == Face_state::GOOD)
+      examine(face);
+      if(!face->verdict().fails())
         continue;
-      const Mesh_2::Face_badness found = badness(face);
-      face->set_state(found == Mesh_2::NOT_BAD ? Face_state::GOOD : Face_state::BLOCKED);
-      if(found == Mesh_2::IMPERATIVELY_BAD)
-        result += 1000;
-      else if(found == Mesh_2::BAD && !may_fail_angle && !(may_fail_beside_boundary && is_beside_boundary(face)))
-        ++result;
-      if(result > limit)
+      if(!face->verdict().fails(Mesh_criterion::ANGLE) || m_judge.is_inverted(face))
+        ++result.others;
+      else if(!may_fail_angle && !(may_fail_beside_boundary && is_beside_boundary(face)))
+        ++result.angles;
+      if(result.are_more_than(limit))
         break;
     }
     return result;
   }
 
-  // finds out their states
   template <class Faces>
-  void examine(const Faces& faces) const
+  void examine_all(const Faces& faces) const
   {
-    (*this)(faces, 1);
+    for(const auto& face : faces)
+      examine(face);
   }
 
 private:
-  // A face on the wrong side is worse than one with a small angle, which it may have, too.
   template <class Face_handle>
-  Mesh_2::Face_badness badness(Face_handle face) const
+  void examine(Face_handle face) const
   {
-    if(is_collapsed(face))
-      return Mesh_2::NOT_BAD;
-    typename IsBad::Quality quality;
-    const Mesh_2::Face_badness found = m_is_bad(face, quality);
-    return found == Mesh_2::BAD && is_inverted(face, m_evaluate.oracle()) ? Mesh_2::IMPERATIVELY_BAD : found;
+    if(face->verdict().meets(Scope::WHOLE))
+      return;
+    const Verdict before = face->verdict();
+    Verdict verdict(is_collapsed(face) ? Criterion_set() : m_judge.first_failed(face), Scope::WHOLE);
+    if(before.is_refused() && verdict.fails())
+      verdict.refuse(before.refusal());
+    face->set_verdict(verdict);
   }
 
   template <class Face_handle>

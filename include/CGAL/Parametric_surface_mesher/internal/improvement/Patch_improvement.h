@@ -25,11 +25,10 @@ namespace internal {
 
 // The improvement of a patch, as long as there is time: before it is refined for the sake of deviation it is smoothed, then the
 // worst triangles are repaired, and last it is polished, if that pays.
-template <class Evaluator, class Refinement>
+template <class Evaluator, class Judge>
 class Patch_improvement
 {
   typedef Patch_triangulation_2<typename Evaluator::Kernel> Triangulation;
-  typedef typename Refinement::Is_bad Is_bad;
 
   static constexpr unsigned int number_of_smoothing_sweeps = 2;
   static constexpr double least_share_of_moves = 0.01; // of the vertices, for which another sweep is made
@@ -45,6 +44,7 @@ class Patch_improvement
   const Parametric_surface_mesh_criteria& m_criteria;
   const double& m_seconds_before; // spent on the patch so far
   double m_share_of_moves = 0;    // of the vertices, in the last sweep; 0 if there was none
+  std::size_t m_number_of_work_limits = 0;
 
 public:
   Patch_improvement(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria,
@@ -61,21 +61,24 @@ public:
   }
 
   // \pre the patch is refined
-  void repair(const Is_bad& is_bad)
+  void repair(const Judge& judge)
   {
-    Patch_repair<Evaluator, Is_bad> repair(m_triangulation, m_evaluate, is_bad, m_criteria);
-    repair(clock());
+    Patch_repair<Evaluator, Judge> repair(m_triangulation, m_evaluate, judge, m_criteria);
+    m_number_of_work_limits = repair(clock());
   }
+
+  // how many faces the last repair has left because of the bound on its work
+  std::size_t number_of_work_limits() const { return m_number_of_work_limits; }
 
   // \pre the patch is smoothed
   bool has_polishing() const { return number_of_polishing_sweeps() > 0; }
 
   // Neither makes the smallest angle smaller; after one there may be more for the other.
   // \pre the patch is repaired
-  void polish(const Is_bad& is_bad)
+  void polish(const Judge& judge)
   {
-    repeat(Patch_polishing<Evaluator, Is_bad>(m_triangulation, m_evaluate, is_bad, m_criteria), number_of_polishing_sweeps());
-    repair(is_bad);
+    repeat(Patch_polishing<Evaluator, Judge>(m_triangulation, m_evaluate, judge, m_criteria), number_of_polishing_sweeps());
+    repair(judge);
   }
 
 private:

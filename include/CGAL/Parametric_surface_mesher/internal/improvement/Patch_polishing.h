@@ -29,14 +29,14 @@ smallest angles, in small steps that make no more triangles fail a criterion, an
 than it was. Where there is such an angle, the mean of the places where the triangles around would be equilateral is tried
 first. No edge is flipped.
 */
-template <class Evaluator, class IsBad>
+template <class Evaluator, class Judge>
 class Patch_polishing
 {
   typedef Patch_triangulation_2<typename Evaluator::Kernel> Triangulation;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Evaluator::Kernel::Point_2 Point_2;
   typedef Vertex_star<Triangulation, typename Evaluator::Oracle::Metric_field> Star;
-  typedef internal::Failure_count<Evaluator, IsBad> Failure_count;
+  typedef internal::Failure_count<Judge> Failure_count;
 
   static constexpr double quality_of_perfect_star = 0.998;
   // By the spacing. The smallest angle has kinks, so that none is right everywhere.
@@ -50,11 +50,11 @@ class Patch_polishing
 
 public:
   // all vertices are looked at in the first sweep, later those around moves
-  // \pre the state of all faces is known
-  Patch_polishing(Triangulation& triangulation, const Evaluator& evaluate, const IsBad& is_bad,
+  // \pre there is a verdict on all faces
+  Patch_polishing(Triangulation& triangulation, const Evaluator& evaluate, const Judge& judge,
                   const Parametric_surface_mesh_criteria& criteria)
     : m_triangulation(triangulation), m_star(triangulation, evaluate.oracle().metric()),
-      m_better_place(evaluate, m_star, criteria), m_number_of_failures(evaluate, is_bad, criteria),
+      m_better_place(evaluate, m_star, criteria), m_number_of_failures(judge, criteria),
       m_trial(m_star, m_number_of_failures)
   {
     for(Vertex_handle vertex : triangulation.finite_vertex_handles())

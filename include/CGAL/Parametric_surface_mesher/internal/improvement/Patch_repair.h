@@ -42,7 +42,7 @@ these faces lie beside it, where a vertex is a little off the one place that sui
 Where they are many, it is the boundary that keeps them from being better, and small steps are made but for faces near the
 criterion of the angle, and around those that fail one.
 */
-template <class Evaluator, class IsBad>
+template <class Evaluator, class Judge>
 class Patch_repair
 {
   typedef typename Evaluator::Kernel Kernel;
@@ -52,7 +52,7 @@ class Patch_repair
   typedef typename Triangulation::Point Point;
   typedef typename Kernel::Point_2 Point_2;
   typedef Vertex_star<Triangulation, typename Evaluator::Oracle::Metric_field> Star;
-  typedef internal::Failure_count<Evaluator, IsBad> Failure_count;
+  typedef internal::Failure_count<Judge> Failure_count;
 
   // where a vertex might go, and the smallest angle that this would give, as far as the surface can be told from the vertex
   struct Candidate
@@ -67,12 +67,15 @@ class Patch_repair
 
   static constexpr double share_of_few = 0.1; // of the faces
 
+  // Enough for all faces but where nearly all are poor.
+  static const std::size_t default_max_number_of_attempts = 1000, faces_for_attempt = 20;
+
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
   double m_squared_sine, m_squared_sine_of_criterion, m_squared_min_edge;
   double m_least_gain = least_gain; // for the face that is repaired
   bool m_are_poor_few = true;       // of the faces
-  bool m_is_full;                   // of vertices: then none is removed, so that the limit stays to be seen
+  const bool m_is_unfinished;       // for want of vertices: then none is taken out
   Star m_star;
   Kept_states<Face_handle> m_states;
   Face_turning<Evaluator> m_turn_over;
@@ -84,16 +87,16 @@ class Patch_repair
   std::vector<Candidate> m_candidates;
 
 public:
-  Patch_repair(Triangulation& triangulation, const Evaluator& evaluate, const IsBad& is_bad,
+  Patch_repair(Triangulation& triangulation, const Evaluator& evaluate, const Judge& judge,
                const Parametric_surface_mesh_criteria& criteria)
     : m_triangulation(triangulation), m_evaluate(evaluate),
       m_squared_sine(squared_sine_of_degrees(criteria.improvement_angle())),
       m_squared_sine_of_criterion(squared_sine_of_degrees(criteria.angle())),
       m_squared_min_edge(square(criteria.min_edge())),
-      m_is_full(triangulation.number_of_vertices() >= criteria.max_number_of_vertices()),
+      m_is_unfinished(triangulation.number_of_vertices() >= criteria.max_number_of_vertices()),
       m_star(triangulation, evaluate.oracle().metric()),
       m_turn_over(triangulation, evaluate, m_squared_min_edge),
-      m_number_of_failures(evaluate, is_bad, criteria),
+      m_number_of_failures(judge, criteria),
       m_trial(m_star, m_number_of_failures)
   {}
 
@@ -104,31 +107,54 @@ public:
   // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more
   // than can be, bad faces are many and improvement would take longer than refinement: some are left as they are. A face
   // that could not be repaired is tried again once something beside it has changed, and not before.
+  // Returns how many faces were left because of that.
   template <class GoFurther>
-  void operator()(const GoFurther& go_further)
+  std::size_t operator()(const GoFurther& go_further)
+  {
+    return (*this)(go_further, default_max_number_of_attempts + m_triangulation.number_of_faces() / faces_for_attempt);
+  }
+
+  template <class GoFurther>
+  std::size_t operator()(const GoFurther& go_further, std::size_t max_number_of_attempts)
   {
     add_all_poor();
     if(m_queue.empty())
-      return;
+      return 0;
     for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
       vertex->set_settled(false);
-    std::size_t attempts_left = 1000 + m_triangulation.number_of_faces() / 20;
+    std::size_t attempts_left = max_number_of_attempts;
     while(!m_queue.empty() && attempts_left > 0 && go_further()) {
       const Face_handle face = take_first();
       if(face != Face_handle() && is_poor(face)) {
-        repair(face);
+        if(!repair(face) && face->verdict().is_refused() && face->verdict().refusal() == Unmet_cause::WORK_LIMIT)
+          face->refuse(Unmet_cause::NO_BETTER_POINT); // that limit was for an earlier attempt
         --attempts_left;
       }
     }
-    while(!m_queue.empty())
-      take_first();
+    return give_up_queue();
   }
 
 private:
-  // \pre the state of the face is known
+  // What repair could have made better is left because of the bound on the work, whatever refinement has said of it, but for
+  // the limit of vertices: with more of them there might be nothing to repair.
+  std::size_t give_up_queue()
+  {
+    std::size_t result = 0;
+    while(!m_queue.empty()) {
+      const Face_handle face = take_first();
+      if(face == Face_handle() || !face->verdict().fails(Mesh_criterion::ANGLE))
+        continue;
+      if(!m_is_unfinished)
+        face->refuse(Unmet_cause::WORK_LIMIT);
+      ++result;
+    }
+    return result;
+  }
+
+  // \pre there is a verdict on the face
   bool is_poor(Face_handle face) const
   {
-    return face->state() == Face_state::BLOCKED || (m_squared_sine > 0 && squared_sine(face) < m_squared_sine);
+    return face->verdict().fails() || (m_squared_sine > 0 && squared_sine(face) < m_squared_sine);
   }
 
   // of the queue; returns none if it was removed
@@ -167,31 +193,32 @@ private:
   }
 
   // A vertex that has no better place is settled until its star changes.
-  void repair(Face_handle face)
+  bool repair(Face_handle face)
   {
     const bool is_urgent = squared_sine(face) < share_of_near * m_squared_sine_of_criterion || is_at_failure(face);
     m_least_gain = m_are_poor_few || is_urgent ? least_gain : least_gain_of_many;
     if(m_turn_over.is_inverted(face) && turn_over(face))
-      return;
+      return true;
     for(int i = 0; i < 3; ++i)
       if(flip_if_better(face, i))
-        return;
+        return true;
     for(int i = 0; i < 3; ++i) {
       const Vertex_handle vertex = face->vertex(i);
       if(vertex->is_on_boundary() || vertex->is_settled())
         continue;
       if(move_if_better(vertex, {1., 0.5, 0.25, 0.1}))
-        return;
+        return true;
       vertex->set_settled(true);
     }
-    if(!m_is_full && squared_sine(face) < m_squared_sine_of_criterion)
+    if(!m_is_unfinished && squared_sine(face) < m_squared_sine_of_criterion)
       for(int i = 0; i < 3; ++i)
         if(!face->vertex(i)->is_on_boundary() && remove_if_better(face->vertex(i)))
-          return;
+          return true;
     if(m_number_of_failures.is_needle(squared_sine(face))) // one that much is in the way of
       for(int i = 0; i < 3; ++i)
         if(!face->vertex(i)->is_on_boundary() && move_if_better(face->vertex(i), {0.05, 0.02}))
-          return;
+          return true;
+    return false;
   }
 
   // Whether it has a vertex with a face that fails a criterion.
@@ -201,7 +228,7 @@ private:
       auto around = m_triangulation.incident_faces(face->vertex(i));
       const auto first = around;
       do
-        if(around->is_in_domain() && around->state() == Face_state::BLOCKED)
+        if(around->is_in_domain() && around->verdict().fails())
           return true;
       while(++around != first);
     }
@@ -211,7 +238,7 @@ private:
   bool turn_over(Face_handle face)
   {
     const std::vector<Face_handle>& changed = m_turn_over(face);
-    m_number_of_failures.examine(changed);
+    m_number_of_failures.examine_all(changed);
     add_around(changed);
     return !changed.empty();
   }
@@ -239,10 +266,10 @@ private:
     if(!(edge.worst_after(metric, sine) > m_least_gain * worst) || !edge.is_valid())
       return false;
     const auto faces = edge.faces();
-    const std::size_t failures = m_number_of_failures(faces, worst);
+    const Failures failures = m_number_of_failures(faces, worst);
     m_states.keep(faces);
     edge.flip();
-    if(m_number_of_failures(faces, worst, failures) <= failures) {
+    if(!m_number_of_failures(faces, worst, failures).are_more_than(failures)) {
       add_around(faces);
       return true;
     }
@@ -279,7 +306,7 @@ private:
   {
     m_star.collect(vertex);
     const double worst = m_star.squared_smallest_sine(vertex->point());
-    const std::size_t failures = m_number_of_failures(m_star.faces(), worst);
+    const Failures failures = m_number_of_failures(m_star.faces(), worst);
     m_states.keep(m_star.faces());
     const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
     Vertex_removal<Triangulation> removal(m_triangulation, vertex);
@@ -295,13 +322,13 @@ private:
 
   // \pre three faces are left at the vertex
   bool is_better_without(Vertex_handle vertex, Vertex_removal<Triangulation>& removal, double worst,
-                         std::size_t failures) const
+                         const Failures& failures) const
   {
     std::vector<Face_handle> faces = faces_without(vertex);
     return removal.with_last_face([&](Face_handle last) {
       faces.push_back(last);
       return !is_collapsed(last) && !m_turn_over.is_inverted(last) && squared_sine(last) > m_least_gain * worst
-             && m_number_of_failures(faces, worst, failures) <= failures;
+             && !m_number_of_failures(faces, worst, failures).are_more_than(failures);
     });
   }
 
@@ -314,7 +341,7 @@ private:
     std::copy_if(faces.begin(), faces.end(), std::inserter(m_removed, m_removed.end()),
                  [=](Face_handle face) { return face != last; });
     changed.push_back(last);
-    m_number_of_failures.examine(changed);
+    m_number_of_failures.examine_all(changed);
     add_around(changed);
   }
 

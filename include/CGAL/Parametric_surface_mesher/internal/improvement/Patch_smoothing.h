@@ -60,7 +60,7 @@ class Patch_smoothing
 
 public:
   Patch_smoothing(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria)
-    : m_triangulation(triangulation), m_evaluate(evaluate), m_is_blocked(has_blocked_face(triangulation)),
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_is_blocked(has_refused_face(triangulation)),
       m_star(triangulation, evaluate.oracle().metric()), m_better_place(evaluate, m_star, criteria),
       m_equalize_valences(triangulation, evaluate, criteria)
   {}
@@ -78,7 +78,7 @@ public:
         number_of_moves += smooth(vertex);
     });
     for(Face_handle face : m_triangulation.finite_face_handles())
-      if(face->is_in_domain() && face->state() == Face_state::UNKNOWN)
+      if(face->is_in_domain() && !face->verdict().is_known())
         flip_obtuse(face);
     for(Vertex_handle vertex : m_crowded)
       m_equalize_valences(vertex);
@@ -87,11 +87,11 @@ public:
   }
 
 private:
-  static bool has_blocked_face(const Triangulation& triangulation)
+  static bool has_refused_face(const Triangulation& triangulation)
   {
     const auto faces = triangulation.finite_face_handles();
     return std::any_of(faces.begin(), faces.end(), [](Face_handle face) {
-      return face->is_in_domain() && face->state() == Face_state::BLOCKED;
+      return face->is_in_domain() && face->verdict().is_refused();
     });
   }
 

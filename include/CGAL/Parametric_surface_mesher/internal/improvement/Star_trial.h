@@ -8,6 +8,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_IMPROVEMENT_STAR_TRIAL_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_IMPROVEMENT_STAR_TRIAL_H
 
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Failure_count.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Kept_states.h>
 
 #include <cstddef>
@@ -27,7 +28,7 @@ class Star_trial
   Kept_states<typename Star::Face_handle> m_states;
   Point m_old_point;
   double m_old_sine = 0; // squared
-  std::size_t m_old_failures = 0;
+  Failures m_old_failures;
   bool m_has_moved = false;
 
 public:
@@ -51,7 +52,7 @@ public:
       m_has_moved = true;
     }
     m_star.try_at(point);
-    return m_number_of_failures(m_star.faces(), m_old_sine, m_old_failures) <= m_old_failures;
+    return !m_number_of_failures(m_star.faces(), m_old_sine, m_old_failures).are_more_than(m_old_failures);
   }
 
   // all as it was

@@ -89,22 +89,37 @@ struct Deviation_limits
 {
   double gamma;                  // largest H/L of an edge
   double squared_distance;       // 0 for no limit
-  double squared_divisible_edge; // edges that are not longer have no H/L
+  double squared_divisible_edge; // edges that are not longer cannot be refined
 };
 
-// How far the surface is from a triangle; edges that are known to be close to it are left out.
+// How far the surface is from a triangle or an edge.
 struct Squared_deviation
 {
   double ratio = 0;  // (H/L)^2
-  double height = 0; // H^2, if the distance is limited
+  double height = 0; // H^2
+
+  void include(const Squared_deviation& other)
+  {
+    ratio = (std::max)(ratio, other.ratio);
+    height = (std::max)(height, other.height);
+  }
+
+  bool has_ratio_within(const Deviation_limits& limits) const { return ratio <= limits.gamma * limits.gamma; }
+
+  bool has_height_within(const Deviation_limits& limits) const
+  {
+    return !(limits.squared_distance > 0) || height <= limits.squared_distance;
+  }
 };
 
-// Notes an edge as close to the surface, in both its faces.
+// Notes an edge as close to the surface, in both its faces if both are in the domain.
 template <class Face_handle>
 void set_close(Face_handle f, int i)
 {
-  const Face_handle across = f->neighbor(i);
   f->set_close(i);
+  if(f->is_constrained(i))
+    return;
+  const Face_handle across = f->neighbor(i);
   across->set_close(across->index(f));
 }
 
@@ -123,13 +138,26 @@ bool has_divisible_edge(Face_handle f, const Deviation_limits& limits)
          || squared_length_in_space(f, 2) > limits.squared_divisible_edge;
 }
 
-// The largest deviation at the edges that are not constrained. An edge within the limits is noted in both its faces, and not
-// evaluated again. A triangle whose edges are all too short to be divided is left alone.
+// The deviation at an edge, which is noted in both its faces if it is within the limits, and not evaluated again.
 template <class Face_handle, class Oracle>
-Squared_deviation squared_deviation_of_edges(Face_handle f, const Oracle& oracle, const Deviation_limits& limits)
+Squared_deviation squared_deviation_of_edge(Face_handle f, int i, double squared_length, const Oracle& oracle,
+                                            const Deviation_limits& limits)
+{
+  Squared_deviation result;
+  result.height = oracle.squared_height(f->vertex((i + 1) % 3)->point(), f->vertex((i + 2) % 3)->point(), limits.gamma);
+  if(result.height > 0)
+    result.ratio = result.height / squared_length;
+  if(result.has_ratio_within(limits) && result.has_height_within(limits))
+    set_close(f, i);
+  return result;
+}
+
+// The largest deviation at the edges for which a triangle can be refined: neither on the boundary nor, for the sake of the
+// ratio, too short to be divided. A triangle whose edges are all too short is left alone.
+template <class Face_handle, class Oracle>
+Squared_deviation squared_deviation_to_refine(Face_handle f, const Oracle& oracle, const Deviation_limits& limits)
 {
   Squared_deviation worst;
-  const bool has_distance = limits.squared_distance > 0;
   if(!has_divisible_edge(f, limits))
     return worst;
   for(int i = 0; i < 3; ++i) {
@@ -137,28 +165,36 @@ Squared_deviation squared_deviation_of_edges(Face_handle f, const Oracle& oracle
       continue;
     const double squared_length = squared_length_in_space(f, i);
     const bool is_divisible = squared_length > limits.squared_divisible_edge;
-    const double height
-      = is_divisible || has_distance
-          ? oracle.squared_height(f->vertex((i + 1) % 3)->point(), f->vertex((i + 2) % 3)->point(), limits.gamma)
-          : 0;
-    const double ratio = is_divisible ? height / squared_length : 0;
-    if(ratio <= limits.gamma * limits.gamma && !(has_distance && height > limits.squared_distance))
-      set_close(f, i);
-    worst.ratio = (std::max)(worst.ratio, ratio);
-    worst.height = (std::max)(worst.height, height);
+    if(!is_divisible && !(limits.squared_distance > 0))
+      continue;
+    Squared_deviation found = squared_deviation_of_edge(f, i, squared_length, oracle, limits);
+    if(!is_divisible)
+      found.ratio = 0;
+    worst.include(found);
   }
   return worst;
 }
 
-// The squared distance of the surface at the centroid from the plane of the triangle, unless its edges are all too short.
+// The largest deviation at all edges that are not known to be close to the surface.
 template <class Face_handle, class Oracle>
-double squared_distance_at_centroid(Face_handle f, const Oracle& oracle, const Deviation_limits& limits)
+Squared_deviation squared_deviation_of_edges(Face_handle f, const Oracle& oracle, const Deviation_limits& limits)
+{
+  Squared_deviation worst;
+  for(int i = 0; i < 3; ++i)
+    if(!f->is_close(i))
+      worst.include(squared_deviation_of_edge(f, i, squared_length_in_space(f, i), oracle, limits));
+  return worst;
+}
+
+// The squared distance of the surface at the centroid from the plane of the triangle.
+template <class Face_handle, class Oracle>
+double squared_distance_at_centroid(Face_handle f, const Oracle& oracle)
 {
   const auto &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
   const auto &p = a.surface_point(), &q = b.surface_point(), &r = c.surface_point();
   const auto normal = cross_product(q - p, r - p);
   const double area = normal * normal;
-  if(!(area > 0) || !has_divisible_edge(f, limits))
+  if(!(area > 0))
     return 0;
   const typename Oracle::Geom_traits::Point_2 centroid((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
   const double height = normal * (oracle.surface().point(centroid.x(), centroid.y()) - p);

@@ -8,7 +8,6 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_PATCH_COLLECTOR_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_PATCH_COLLECTOR_H
 
-#include <CGAL/Mesh_2/Face_badness.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/charts/Charted_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/charts/Patch_chart_2.h>
@@ -51,9 +50,8 @@ public:
     : m_triangulation(triangulation), m_boundary(boundary), m_part(part), m_report(report)
   {}
 
-  // `refinement` tells which faces are bad and why they were left
-  template <class Refinement>
-  void operator()(const Refinement& refinement, bool keeps_domain_points, bool keeps_corner_points)
+  // \pre all faces have their last verdicts
+  void operator()(bool keeps_domain_points, bool keeps_corner_points)
   {
     append_vertices(keeps_domain_points);
     m_part.faces.reserve(m_triangulation.number_of_faces());
@@ -65,7 +63,7 @@ public:
         ++m_report.number_of_collapsed_faces;
         return;
       }
-      note(face, refinement);
+      note(face);
       append(face);
       if(keeps_corner_points)
         m_part.corner_points.push_back({corner_point(face, 0), corner_point(face, 1), corner_point(face, 2)});
@@ -141,20 +139,15 @@ private:
     return chart().on_collapsed_side(uv, midpoint(domain_point(face->vertex((i + 1) % 3)), domain_point(face->vertex((i + 2) % 3))));
   }
 
-  template <class Refinement>
-  void note(Face_handle face, const Refinement& refinement)
+  void note(Face_handle face)
   {
     const double squared_sine = squared_smallest_sine_in_space(face);
+    const Verdict verdict = face->verdict();
     m_squared_sine = (std::min)(m_squared_sine, squared_sine);
-    // only what the refinement left cannot be good
-    typename Refinement::Quality quality;
-    if(face->state() != Face_state::GOOD && refinement.is_bad()(face, quality) != Mesh_2::NOT_BAD) {
-      const Unmet_cause cause = refinement.cause(face);
-      m_report.unmet.push_back({m_part.faces.size(), quality.criterion, cause});
-      if(cause == Unmet_cause::BOUNDARY)
-        return;
-    }
-    m_squared_sine_off_boundary = (std::min)(m_squared_sine_off_boundary, squared_sine);
+    if(verdict.fails())
+      m_report.unmet.push_back({m_part.faces.size(), verdict.failed(), verdict.refusal()});
+    if(!verdict.fails(Mesh_criterion::ANGLE) || verdict.refusal() != Unmet_cause::BOUNDARY)
+      m_squared_sine_off_boundary = (std::min)(m_squared_sine_off_boundary, squared_sine);
   }
 
   static double squared_smallest_sine_in_space(Face_handle face)

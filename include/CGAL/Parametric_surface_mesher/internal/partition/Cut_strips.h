@@ -255,6 +255,7 @@ private:
           if(is_of_cut(vertex))
             m_border[vertex->index() - m_parts.first_index()] = vertex->point();
           else if(vertex->index() == no_vertex_index) {
+            vertex->set_on_cut(true);
             vertex->set_index(m_parts.first_index() + m_border.size());
             m_border.push_back(vertex->point());
           }

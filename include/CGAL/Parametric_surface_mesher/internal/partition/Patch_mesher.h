@@ -15,7 +15,9 @@
 #include <CGAL/Parametric_surface_mesher/internal/output/Chord_splitter.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Partial_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Criteria_with_own.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Patch_collector.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Patch_judgement.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Patch_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Pole_ring.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Patch_evaluator.h>
@@ -57,7 +59,8 @@ public:
   typedef Parametric_surface_oracle_3<Surface, typename Oracle::Metric_field> Charted_oracle;
   typedef Patch_evaluator<Charted_oracle> Evaluator;
   typedef Patch_triangulation_2<Kernel> Triangulation;
-  typedef Patch_refinement<Evaluator, Criteria, Visitor> Refinement;
+  typedef decltype(make_judge(std::declval<const Charted_oracle&>(), std::declval<const Criteria&>())) Judge;
+  typedef Patch_refinement<Evaluator, Judge, Visitor> Refinement;
 
 private:
   const Surface m_surface;
@@ -69,20 +72,23 @@ private:
   Visitor& m_visitor;
   Triangulation m_triangulation;
   std::size_t m_number_of_boundary_vertices = 0;
+  const Judge m_judge;
+  const std::size_t m_first_index_of_cuts; // of vertices; the patch is whole if there is none
   Refinement m_refine;
-  const bool m_is_part;
   bool m_has_taken_over = false; // a triangulation of the boundary
   Parametric_surface_mesh_report m_report;
 
 public:
-  // `boundary`: of the patch; it stays where it is. `loops`: of the patch or the part, in the chart
+  // `boundary`: of the patch; it stays where it is. `loops`: of the patch or the part, in the chart. `first_index_of_cuts`: of
+  // a part, from there on vertices of loops are not on the boundary of the patch
   // \pre no segments of the loops cross
   Patch_mesher(const Oracle& oracle, const Criteria& criteria, const Charted_boundary<Kernel>& boundary,
-               Boundary_loops<Kernel> loops, bool is_part, Visitor& visitor)
+               Boundary_loops<Kernel> loops, std::size_t first_index_of_cuts, Visitor& visitor)
     : m_surface(oracle.surface(), boundary.chart()), m_oracle(m_surface, oracle.metric(), oracle.singular_points()),
       m_criteria(chart_criteria(criteria, boundary.chart())), m_boundary(boundary), m_loops(std::move(loops)),
       m_evaluator(m_oracle, m_criteria, boundary.box()), m_visitor(visitor),
-      m_refine(m_triangulation, m_evaluator, m_criteria, visitor), m_is_part(is_part)
+      m_judge(make_judge(m_oracle, m_criteria)), m_first_index_of_cuts(first_index_of_cuts),
+      m_refine(m_triangulation, m_evaluator, m_criteria, m_judge, visitor)
   {}
 
   // it refers to itself
@@ -103,21 +109,24 @@ public:
   // \pre there is a triangulation
   void refine_and_improve(bool has_front)
   {
-    Patch_improvement<Evaluator, Refinement> improve(m_triangulation, m_evaluator, m_criteria, m_report.seconds.improvement);
+    mark_cuts();
+    Patch_improvement<Evaluator, Judge> improve(m_triangulation, m_evaluator, m_criteria, m_report.seconds.improvement);
     in_phase("refinement", m_report.seconds.refinement, [&] {
       if(has_front)
         advance_front();
-      m_refine.refine_by_shape();
+      m_refine(Scope::SHAPE);
     });
     if(improve.has_smoothing() && !m_refine.is_stopped())
       in_phase("smoothing", m_report.seconds.improvement, [&] { improve.smooth(); });
-    in_phase("refinement", m_report.seconds.refinement, [&] { m_refine(); });
+    in_phase("refinement", m_report.seconds.refinement, [&] { m_refine(Scope::WHOLE); });
     m_report.number_of_replaced_tensors += m_refine.number_of_replaced_tensors();
+    m_report.number_of_work_limits += m_refine.number_of_work_limits();
     if(m_refine.is_stopped())
       return;
-    in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_refine.is_bad()); });
+    in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_judge); });
     if(improve.has_polishing())
-      in_phase("polishing", m_report.seconds.improvement, [&] { improve.polish(m_refine.is_bad()); });
+      in_phase("polishing", m_report.seconds.improvement, [&] { improve.polish(m_judge); });
+    m_report.number_of_work_limits += improve.number_of_work_limits();
   }
 
   Triangulation& triangulation() { return m_triangulation; }
@@ -133,22 +142,30 @@ public:
     split_chords();
   }
 
-  // The triangles, and what is to be told of them. `causes`: tells why triangles were left bad, as the refinement does.
+  // The triangles, and what is to be told of them.
   // `mesh`: has the boundary vertices already
-  template <class Causes>
-  Partial_mesh<Kernel> collect(const Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report,
-                               const Causes& causes)
+  Partial_mesh<Kernel> collect(const Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report)
   {
     report.seconds += m_report.seconds;
     report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
+    report.number_of_work_limits += m_report.number_of_work_limits;
     Phase_timer timer(report.seconds.output);
+    Patch_judgement<Kernel, Judge, Refinement> judge(m_triangulation, m_judge, m_refine);
+    judge();
     Partial_mesh<Kernel> part;
     Patch_collector<Kernel> collect(m_triangulation, m_boundary, part, report);
-    collect(causes, mesh.keeps_domain_points, mesh.keeps_corner_points);
+    collect(mesh.keeps_domain_points, mesh.keeps_corner_points);
     return part;
   }
 
 private:
+  void mark_cuts()
+  {
+    if(m_first_index_of_cuts != no_vertex_index)
+      for(auto vertex : m_triangulation.finite_vertex_handles())
+        vertex->set_on_cut(vertex->is_on_boundary() && vertex->index() >= m_first_index_of_cuts);
+  }
+
   template <class Run>
   void in_phase(const char* name, double& seconds, const Run& run)
   {
@@ -180,8 +197,9 @@ private:
     Boundary_triangulator<Kernel> triangulate(m_triangulation, m_loops);
     run(triangulate);
     check_derivatives(m_surface, m_triangulation);
-    if(!m_is_part) // else they are counted for the patch
+    if(m_first_index_of_cuts == no_vertex_index) // else they are counted for the patch
       m_report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
+    m_report.number_of_work_limits += triangulate.number_of_work_limits();
     m_has_taken_over = triangulate.has_taken_over();
     m_number_of_boundary_vertices = triangulate.vertices().size();
     Pole_ring<Evaluator> insert_rings(m_triangulation, m_evaluator, m_boundary);

@@ -8,9 +8,9 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PARTITION_PATCH_SKETCH_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PARTITION_PATCH_SKETCH_H
 
-#include <CGAL/Mesh_2/Face_badness.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_visitor.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Face_judge.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Patch_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Domain_walk.h>
@@ -27,45 +27,29 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The criteria of a mesh with triangles `coarseness()` times as large as wanted, of any shape.
-class Sketch_criteria
-  : public Parametric_surface_mesh_criteria
+// Judges the faces of a sketch: triangles `coarseness` times as long as wanted, whatever their shape.
+template <class Oracle>
+class Sketch_judge
 {
-  double m_coarseness;
+  const Oracle& m_oracle;
+  double m_squared_factor; // (R / sum of spacings)^2 of the largest triangles allowed: an equilateral one has R = edge / sqrt(3)
 
 public:
-  Sketch_criteria(const Parametric_surface_mesh_criteria& criteria, double coarseness)
-    : Parametric_surface_mesh_criteria(criteria), m_coarseness(coarseness)
-  {}
+  Sketch_judge(const Oracle& oracle, double coarseness) : m_oracle(oracle), m_squared_factor(square(coarseness) / 27) {}
 
-  double coarseness() const { return m_coarseness; }
-
-  template <class Oracle>
-  class Is_bad
+  template <class Face_handle>
+  Judgement judge_shape(Face_handle f) const
   {
-    const Oracle& m_oracle;
-    double m_squared_factor; // (R / sum of spacings)^2 of the largest triangles allowed: an equilateral one has R = edge / sqrt(3)
+    const double sum = f->vertex(0)->spacing() + f->vertex(1)->spacing() + f->vertex(2)->spacing();
+    const double badness = squared_circumradius(squared_lengths(f, m_oracle.metric())) / (m_squared_factor * sum * sum);
+    return {badness > 1 ? Criterion_set(Mesh_criterion::SIZE) : Criterion_set(), badness, false};
+  }
 
-  public:
-    typedef Parametric_surface_mesh_criteria::Quality Quality;
-
-    Is_bad(const Sketch_criteria& criteria, const Oracle& oracle)
-      : m_oracle(oracle), m_squared_factor(square(criteria.coarseness()) / 27)
-    {}
-
-    template <class Face_handle>
-    Mesh_2::Face_badness operator()(Face_handle f, Quality& quality) const
-    {
-      const double sum = f->vertex(0)->spacing() + f->vertex(1)->spacing() + f->vertex(2)->spacing();
-      quality.badness = squared_circumradius(squared_lengths(f, m_oracle.metric())) / (m_squared_factor * sum * sum);
-      return quality.badness > 1 ? Mesh_2::IMPERATIVELY_BAD : Mesh_2::NOT_BAD;
-    }
-  };
-
-  template <class Oracle>
-  Is_bad<Oracle> is_bad_object(const Oracle& oracle) const
+  // It need not be close to the surface.
+  template <class Face_handle>
+  Judgement judge_deviation(Face_handle) const
   {
-    return Is_bad<Oracle>(*this, oracle);
+    return {};
   }
 };
 
@@ -93,7 +77,7 @@ private:
   typedef internal::Location<Triangulation> Location;
 
   const Evaluator& m_evaluate;
-  Sketch_criteria m_criteria;
+  const Parametric_surface_mesh_criteria m_criteria;
   Parametric_surface_mesh_visitor m_visitor;
   Triangulation m_triangulation;
   std::size_t m_number_of_replaced_tensors = 0; // those of boundary vertices
@@ -103,15 +87,16 @@ public:
   // \pre the segments of the loops do not cross
   Patch_sketch(const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria,
                const Boundary_loops<Kernel>& loops, double coarseness)
-    : m_evaluate(evaluate), m_criteria(criteria, coarseness)
+    : m_evaluate(evaluate), m_criteria(with_circumcenters(criteria))
   {
     Boundary_triangulator<Kernel> triangulate(m_triangulation, loops);
     triangulate(evaluate);
     m_number_of_replaced_tensors = triangulate.number_of_replaced_tensors();
-    m_criteria.set_placement(Mesh_point_placement::CIRCUMCENTER);
-    typedef Patch_refinement<Evaluator, Sketch_criteria, Parametric_surface_mesh_visitor> Refinement;
-    Refinement refine(m_triangulation, evaluate, m_criteria, m_visitor);
-    refine();
+    typedef Sketch_judge<typename Evaluator::Oracle> Judge;
+    const Judge judge(evaluate.oracle(), coarseness);
+    Patch_refinement<Evaluator, Judge, Parametric_surface_mesh_visitor> refine(m_triangulation, evaluate, m_criteria, judge,
+                                                                               m_visitor);
+    refine(Scope::SHAPE);
   }
 
   // A copy would refer to members of the original.
@@ -144,6 +129,11 @@ public:
   }
 
 private:
+  static Parametric_surface_mesh_criteria with_circumcenters(Parametric_surface_mesh_criteria criteria)
+  {
+    return criteria.set_placement(Mesh_point_placement::CIRCUMCENTER);
+  }
+
   // A cell counts as many triangles as equilateral ones of the wanted size have its area.
   Cell cell(Face_handle face) const
   {

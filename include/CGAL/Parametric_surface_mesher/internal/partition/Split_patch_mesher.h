@@ -58,28 +58,6 @@ class Split_patch_mesher
   static constexpr double triangles_in_sketch = 600; // of a patch just large enough to be split
   static constexpr double most_triangles_by_boundary = 3; // over the number that the boundary tells
 
-  // why triangles of a part, or a strip, were left bad: beside the boundary of the patch, or a cut
-  struct Causes
-  {
-    typedef typename Mesher::Refinement::Quality Quality;
-
-    const typename Mesher::Refinement& refinement;
-    std::size_t first_index;
-    Unmet_cause at_cut;
-
-    const auto& is_bad() const { return refinement.is_bad(); }
-
-    Unmet_cause cause(Face_handle face) const
-    {
-      const Unmet_cause result = refinement.cause(face);
-      if(result == Unmet_cause::BOUNDARY)
-        for(int i = 0; i < 3; ++i)
-          if(face->vertex(i)->is_on_boundary() && face->vertex(i)->index() < first_index)
-            return result;
-      return result == Unmet_cause::BOUNDARY ? at_cut : result;
-    }
-  };
-
   const Oracle& m_oracle;
   const Criteria m_criteria;
   const Charted_boundary<Kernel> m_boundary;
@@ -111,7 +89,7 @@ public:
     m_shared.clear();
     m_is_whole = true;
     m_report.number_of_replaced_tensors = 0; // of the sketch
-    m_parts.push_back(std::make_unique<Mesher>(m_oracle, m_criteria, m_boundary, m_boundary.loops(), false, m_visitor));
+    m_parts.push_back(std::make_unique<Mesher>(m_oracle, m_criteria, m_boundary, m_boundary.loops(), no_vertex_index, m_visitor));
     if(boundary.triangulation)
       (*m_parts.front())(std::move(boundary));
     else
@@ -171,9 +149,7 @@ public:
   Partial_mesh<Kernel> collect(std::size_t part, const Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report)
   {
     const std::unique_ptr<Mesher> mesher = std::move(m_parts[part]);
-    if(m_is_whole)
-      return mesher->collect(mesh, report, mesher->refinement());
-    return mesher->collect(mesh, report, Causes{mesher->refinement(), m_first_index, cause_at_cut()});
+    return mesher->collect(mesh, report);
   }
 
 private:
@@ -248,7 +224,7 @@ private:
     Criteria criteria = m_criteria;
     if(std::isfinite(m_criteria.improvement_time())) // a share of 0 of an infinite time is not a number
       criteria.set_improvement_time(share * m_criteria.improvement_time());
-    return std::make_unique<Mesher>(m_oracle, criteria, m_boundary, std::move(loops), true, m_visitor);
+    return std::make_unique<Mesher>(m_oracle, criteria, m_boundary, std::move(loops), m_first_index, m_visitor);
   }
 
   template <class ConcurrencyTag>
@@ -288,8 +264,6 @@ private:
           if(vertex.index >= m_first_index)
             m_shared[vertex.index - m_first_index] = {vertex.domain_point, vertex.surface_point, 0};
   }
-
-  Unmet_cause cause_at_cut() const { return m_is_stopped ? Unmet_cause::STOPPED : Unmet_cause::NO_BETTER_POINT; }
 
   void number_shared_vertices(Triangulation& triangulation) const
   {

@@ -67,9 +67,9 @@ public:
   {
     for(Face_handle face : faces)
       if(face->is_in_domain() && !is_collapsed(face))
-        set_state(face, squared_size_ratio(face));
+        set_mark(face, squared_size_ratio(face));
     for(Face_handle face : faces)
-      if(face->state() == Face_state::ACTIVE)
+      if(face->front_mark() == Front_mark::ACTIVE)
         push_if_on_front(face, squared_size_ratio(face));
     for(std::size_t n = 1; !m_is_stopped && m_triangulation.number_of_vertices() < m_max_number_of_vertices; ++n) {
       const Face_handle face = m_queue.pop();
@@ -90,9 +90,9 @@ private:
     m_is_stopped = !m_visitor.go_further();
   }
 
-  static void set_state(Face_handle face, double squared_ratio)
+  static void set_mark(Face_handle face, double squared_ratio)
   {
-    face->set_state(squared_ratio < squared_done_ratio ? Face_state::GOOD : Face_state::ACTIVE);
+    face->set_front_mark(squared_ratio < squared_done_ratio ? Front_mark::DONE : Front_mark::ACTIVE);
   }
 
   // of the circumradius to that of the equilateral triangle with the mean spacing of the corners
@@ -109,18 +109,18 @@ private:
 
   static bool is_on_front(Face_handle face, int i)
   {
-    return face->is_constrained(i) || face->neighbor(i)->state() == Face_state::GOOD;
+    return face->is_constrained(i) || face->neighbor(i)->front_mark() == Front_mark::DONE;
   }
 
   void push_if_on_front(Face_handle face, double squared_ratio)
   {
-    if(face->state() != Face_state::ACTIVE)
+    if(face->front_mark() != Front_mark::ACTIVE)
       return;
     for(int i = 0; i < 3; ++i)
       if(is_on_front(face, i)) {
         const Point &p = face->vertex((i + 1) % 3)->point(), &q = face->vertex((i + 2) % 3)->point();
         m_queue.push(face, squared_ratio, m_tiles(0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y())));
-        face->set_state(Face_state::QUEUED);
+        face->set_front_mark(Front_mark::QUEUED);
         return;
       }
   }
@@ -134,7 +134,7 @@ private:
        || (place_at_circumcenter(face, measures, candidate) && !is_too_close(candidate)))
       insert(candidate);
     else
-      face->set_state(Face_state::BLOCKED);
+      face->set_front_mark(Front_mark::GIVEN_UP);
   }
 
   // Where an edge has no good place over it, so that the front goes on: next to an obtuse angle, or close to other edges.
@@ -188,12 +188,12 @@ private:
     m_ratios.clear();
     for(std::size_t i = 0; i < star.size(); ++i) {
       m_ratios.push_back(squared_size_ratio(star[i], m_points.squared_lengths(i)));
-      set_state(star[i], m_ratios.back());
+      set_mark(star[i], m_ratios.back());
     }
     for(std::size_t i = 0; i < star.size(); ++i) {
       push_if_on_front(star[i], m_ratios[i]);
       const Face_handle across = star[i]->neighbor(0);
-      if(star[i]->state() == Face_state::GOOD && across->state() == Face_state::ACTIVE)
+      if(star[i]->front_mark() == Front_mark::DONE && across->front_mark() == Front_mark::ACTIVE)
         push_if_on_front(across, squared_size_ratio(across));
     }
   }

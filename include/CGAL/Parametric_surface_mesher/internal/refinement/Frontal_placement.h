@@ -40,10 +40,10 @@ class Frontal_placement
   static constexpr double smallest_height = 0.3; // of a new triangle, by its side
   static const int max_number_of_corrections = 2;
 
-  const Inner_points& m_points;
+  Inner_points& m_points;
 
 public:
-  explicit Frontal_placement(const Inner_points& points) : m_points(points) {}
+  explicit Frontal_placement(Inner_points& points) : m_points(points) {}
 
   // Returns whether there is a place over the edge opposite to corner `front`. Where the surface allows less than the
   // spacing of the edge's ends, the sides are to be between the two.

@@ -53,7 +53,7 @@ private:
   Star_of_point<Triangulation> m_star;
   // of the vertex inserted last: by face of its star, from it to vertex 1, and from there to vertex 2
   std::vector<double> m_squared_spokes, m_squared_rims;
-  std::size_t m_number_of_replaced_tensors = 0;
+  std::size_t m_number_of_replaced_tensors = 0, m_number_of_work_limits = 0;
 
 public:
   Inner_points(Triangulation& triangulation, const Evaluator& evaluate)
@@ -63,14 +63,18 @@ public:
   const Evaluator& evaluate() const { return m_evaluate; }
   std::size_t number_of_replaced_tensors() const { return m_number_of_replaced_tensors; }
 
+  // how many walks and stars were given up
+  std::size_t number_of_work_limits() const { return m_number_of_work_limits; }
+
   // Walks from `from` to `uv` and evaluates the surface there. Returns whether the point can be inserted: neither behind the
   // boundary nor on it, nor at a vertex. The location is that of where the walk came to, in any case.
-  bool locate(Face_handle from, const Point_2& uv, Candidate& candidate) const
+  bool locate(Face_handle from, const Point_2& uv, Candidate& candidate)
   {
     candidate.spacing_limit = -1;
     if(!std::isfinite(uv.x() + uv.y())) // computed from a flat triangle
       return false;
     candidate.location = walk_in_domain(m_triangulation, from, uv);
+    m_number_of_work_limits += candidate.location.kind == Location::LOST;
     if(candidate.location.kind != Location::IN_FACE && candidate.location.kind != Location::ON_EDGE)
       return false;
     if(candidate.location.kind == Location::ON_EDGE
@@ -113,8 +117,13 @@ public:
   // the edges of the star that the candidate would get
   const std::vector<typename Star_of_point<Triangulation>::Edge>& star_of(const Candidate& candidate)
   {
-    return m_star.compute(candidate.position.point, candidate.location.face);
+    const auto& result = m_star.compute(candidate.position.point, candidate.location.face);
+    m_number_of_work_limits += m_star.is_cut_short();
+    return result;
   }
+
+  // Whether the last one of them was.
+  bool is_star_cut_short() const { return m_star.is_cut_short(); }
 
   // Whether the candidate sees this constrained edge under an angle above 120 degrees: from within the lens where the
   // triangle with that edge would have angles below 30 degrees.

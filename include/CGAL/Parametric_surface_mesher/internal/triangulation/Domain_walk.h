@@ -32,17 +32,20 @@ struct Location
   int index;
 };
 
+// Walks are short: they lead from a triangle to the place of a point that makes it better.
+const int max_number_of_steps_of_walk = 500;
+
 // Visibility walk from `start` to `p` that does not cross constraints. In a triangulation that is not Delaunay under one metric
 // such a walk need not end, so its length is bounded.
 template <class Triangulation, class Point>
 Location<Triangulation> walk_in_domain(const Triangulation& triangulation, typename Triangulation::Face_handle start,
-                                       const Point& p)
+                                       const Point& p, int max_number_of_steps = max_number_of_steps_of_walk)
 {
   typedef typename Triangulation::Face_handle Face_handle;
   typedef Location<Triangulation> Location;
   const auto orientation = triangulation.geom_traits().orientation_2_object();
   Face_handle face = start, previous;
-  for(int step = 0; step < 500; ++step) {
+  for(int step = 0; step < max_number_of_steps; ++step) {
     Face_handle next;
     int on_edge = -1, blocked_by = -1, zeros = 0;
     for(int k = 0; k < 3 && next == Face_handle(); ++k) {

@@ -17,11 +17,11 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The states of faces, to be given back where a change is undone.
+// The verdicts on faces, to be given back where a change is undone.
 template <class Face_handle>
 class Kept_states
 {
-  std::vector<std::pair<Face_handle, Face_state>> m_states;
+  std::vector<std::pair<Face_handle, Verdict>> m_states;
 
 public:
   template <class Faces>
@@ -29,13 +29,13 @@ public:
   {
     m_states.clear();
     for(Face_handle face : faces)
-      m_states.emplace_back(face, face->state());
+      m_states.emplace_back(face, face->verdict());
   }
 
   void give_back() const
   {
     for(const auto& kept : m_states)
-      kept.first->set_state(kept.second);
+      kept.first->set_verdict(kept.second);
   }
 };
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Anisotropic_Delaunay_triangulation_traits_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_point_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Verdict.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -35,7 +36,7 @@ class Patch_vertex_base_2
 {
   double m_spacing = 0;
   std::uint32_t m_index = 0;
-  bool m_is_on_boundary = false, m_is_settled = false, m_is_kept = false;
+  bool m_is_on_boundary = false, m_is_on_cut = false, m_is_settled = false, m_is_kept = false;
 
 public:
   using Base::Base;
@@ -57,6 +58,10 @@ public:
   bool is_on_boundary() const { return m_is_on_boundary; }
   void set_on_boundary(bool b) { m_is_on_boundary = b; }
 
+  // Whether the vertex is on the boundary of a part only because a large patch was cut there.
+  bool is_on_cut() const { return m_is_on_cut; }
+  void set_on_cut(bool b) { m_is_on_cut = b; }
+
   // Whether smoothing need not visit the vertex as long as its star does not change.
   bool is_settled() const { return m_is_settled; }
   void set_settled(bool b) { m_is_settled = b; }
@@ -66,14 +71,14 @@ public:
   void set_kept(bool b) { m_is_kept = b; }
 };
 
-// What the refinement found when it last looked at a face.
-enum class Face_state : std::uint8_t
+// Where a face stands as seen from the advancing front, which asks for its size alone.
+enum class Front_mark : std::uint8_t
 {
-  UNKNOWN,
-  GOOD,
-  ACTIVE, // not done, and behind the front
-  QUEUED,
-  BLOCKED // bad, and no acceptable position was found
+  NONE,
+  DONE,
+  ACTIVE, // not done, and not on the front
+  QUEUED, // on the front
+  GIVEN_UP
 };
 
 template <class Traits, class Base = Constrained_triangulation_face_base_2<Traits>>
@@ -81,11 +86,19 @@ class alignas(64) Patch_face_base_2
   : public Base
 {
   static const std::uint32_t no_number = std::uint32_t(-1);
-  std::uint32_t m_stamp = 0, m_number = no_number;
-  Face_state m_state = Face_state::UNKNOWN;
+
+  struct Bits
+  {
+    std::uint8_t close_edges : 3; // one each
+    std::uint8_t is_waiting : 1;
+  };
+
+  // In an order without gaps, from the byte on that constraints leave: a face has 64 bytes.
   std::uint8_t m_nesting_level = 0;
-  std::uint8_t m_close_edges = 0; // one bit each
-  bool m_is_waiting = false;
+  std::uint32_t m_stamp = 0, m_number = no_number;
+  Bits m_bits = {0, 0};
+  Front_mark m_front_mark = Front_mark::NONE;
+  Verdict m_verdict;
 
 public:
   using Base::Base;
@@ -110,31 +123,37 @@ public:
   std::size_t number() const { return m_number; }
   void set_number(std::size_t number) { m_number = std::uint32_t(number); }
 
-  Face_state state() const { return m_state; }
-  void set_state(Face_state state) { m_state = state; }
+  // Where the front has left it.
+  Front_mark front_mark() const { return m_front_mark; }
+  void set_front_mark(Front_mark mark) { m_front_mark = mark; }
+
+  Verdict verdict() const { return m_verdict; }
+  void set_verdict(Verdict verdict) { m_verdict = verdict; }
+  void refuse(Unmet_cause cause) { m_verdict.refuse(cause); }
 
   // Whether the face waits to be repaired.
-  bool is_waiting() const { return m_is_waiting; }
-  void set_waiting(bool b) { m_is_waiting = b; }
+  bool is_waiting() const { return m_bits.is_waiting != 0; }
+  void set_waiting(bool b) { m_bits.is_waiting = b; }
 
   // Whether edge `i` is known to be close to the surface.
-  bool is_close(int i) const { return (m_close_edges >> i & 1) != 0; }
-  void set_close(int i) { m_close_edges = std::uint8_t(m_close_edges | 1 << i); }
+  bool is_close(int i) const { return (m_bits.close_edges >> i & 1) != 0; }
+  void set_close(int i) { m_bits.close_edges = std::uint8_t(m_bits.close_edges | 1 << i) & 7; }
 
   // Must be called when vertices of the face have changed.
   void touch()
   {
     ++m_stamp;
-    m_close_edges = 0;
-    m_state = Face_state::UNKNOWN;
+    m_bits.close_edges = 0;
+    m_front_mark = Front_mark::NONE;
+    m_verdict = Verdict();
   }
 
   // Must be called when vertex `i` alone has changed. The edge opposite to it is as close to the surface as before.
   void touch_by_vertex(int i)
   {
-    const std::uint8_t close_edge = m_close_edges & std::uint8_t(1 << i);
+    const std::uint8_t close_edge = m_bits.close_edges & std::uint8_t(1 << i);
     touch();
-    m_close_edges = close_edge;
+    m_bits.close_edges = close_edge & 7;
   }
 };
 
@@ -160,6 +179,13 @@ bool is_collapsed(Face_handle face)
       return true;
   }
   return false;
+}
+
+// Whether a constrained edge is on the boundary of the patch, and not on a cut.
+template <class Face_handle>
+bool is_on_true_boundary(Face_handle face, int i)
+{
+  return !face->vertex((i + 1) % 3)->is_on_cut() && !face->vertex((i + 2) % 3)->is_on_cut();
 }
 
 } // namespace internal

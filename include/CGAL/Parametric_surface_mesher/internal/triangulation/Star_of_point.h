@@ -10,6 +10,7 @@
 
 #include <CGAL/enum.h>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -28,18 +29,25 @@ public:
   typedef std::pair<Face_handle, int> Edge; // a face of the star, and the index of its edge
 
 private:
+  // Where the metric varies the conflict region need not be a disc. True stars have some ten edges.
+  static const std::size_t default_max_number_of_edges = 200;
+
   const Triangulation& m_triangulation;
+  const std::size_t m_max_number_of_edges;
   std::vector<Edge> m_boundary, m_stack;
+  bool m_is_cut_short = false;
 
 public:
-  explicit Star_of_point(const Triangulation& triangulation) : m_triangulation(triangulation) {}
+  explicit Star_of_point(const Triangulation& triangulation, std::size_t max_number_of_edges = default_max_number_of_edges)
+    : m_triangulation(triangulation), m_max_number_of_edges(max_number_of_edges)
+  {}
 
-  // The number of edges is bounded, since under a varying metric the conflict region need not be a disc.
   template <class Point>
   const std::vector<Edge>& compute(const Point& p, Face_handle face)
   {
     m_boundary.clear();
     m_stack.clear();
+    m_is_cut_short = false;
     push_edges(face, -1);
     while(!m_stack.empty()) {
       const Edge edge = m_stack.back();
@@ -55,6 +63,9 @@ public:
   // The edges of the star that was computed last.
   const std::vector<Edge>& boundary() const { return m_boundary; }
 
+  // Whether that star has too many edges to be computed to the end.
+  bool is_cut_short() const { return m_is_cut_short; }
+
 private:
   // Pushes the edges of a face other than `entry` (all three if that is -1), so that the next one counterclockwise is on top.
   void push_edges(Face_handle face, int entry)
@@ -69,11 +80,15 @@ private:
   }
 
   template <class Point>
-  bool is_in_star(const Point& p, const Edge& edge) const
+  bool is_in_star(const Point& p, const Edge& edge)
   {
     const Face_handle face = edge.first, neighbor = face->neighbor(edge.second);
-    if(face->is_constrained(edge.second) || m_boundary.size() + m_stack.size() > 200)
+    if(face->is_constrained(edge.second))
       return false;
+    if(m_boundary.size() + m_stack.size() > m_max_number_of_edges) {
+      m_is_cut_short = true;
+      return false;
+    }
     return m_triangulation.geom_traits().side_of_oriented_circle_2_object()(
              neighbor->vertex(0)->point(), neighbor->vertex(1)->point(), neighbor->vertex(2)->point(), p)
            == ON_POSITIVE_SIDE;

@@ -103,13 +103,14 @@ public:
 
 private:
   static constexpr double rounding_of_tensors = 1e-6; // relative; the tensors of a cylinder, all equal, differ by less
+  static const std::size_t max_number_of_flips_by_edge = 20; // in practice there is less than one
 
   Triangulation& m_triangulation;
   const Boundary_loops<Kernel>& m_loops;
   std::vector<std::size_t> m_starts; // where each loop begins in the arrays below
   std::vector<Point> m_points;
   std::vector<Vertex_handle> m_vertices;
-  std::size_t m_number_of_replaced_tensors = 0;
+  std::size_t m_number_of_replaced_tensors = 0, m_number_of_work_limits = 0;
   bool m_has_taken_over = false;
 
 public:
@@ -145,6 +146,9 @@ public:
 
   // The number of boundary vertices whose tensor was not positive definite and was replaced.
   std::size_t number_of_replaced_tensors() const { return m_number_of_replaced_tensors; }
+
+  // Whether, and then 1, flips were given up before all edges were Delaunay.
+  std::size_t number_of_work_limits() const { return m_number_of_work_limits; }
 
 private:
   void triangulate(const std::vector<Evaluated>& evaluated)
@@ -310,7 +314,7 @@ private:
     for(Face_handle face : m_triangulation.finite_face_handles())
       for(int i = 0; i < 3; ++i)
         stack.emplace_back(face, i);
-    std::size_t flips_left = 20 * stack.size();
+    std::size_t flips_left = max_number_of_flips_by_edge * stack.size();
     while(!stack.empty() && flips_left > 0) {
       const Edge edge = stack.back();
       stack.pop_back();
@@ -323,6 +327,7 @@ private:
         for(int i = 0; i < 3; ++i)
           stack.emplace_back(changed, i);
     }
+    m_number_of_work_limits += !stack.empty();
   }
 };
 

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_PATCH_JUDGEMENT_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_PATCH_JUDGEMENT_H
+
+#include <CGAL/Parametric_surface_mesher/Mesh_criterion.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/for_each_with_lookahead.h>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// The last judgement on the faces of a patch: by every criterion, at every edge, also those that refinement can do nothing
+// about. After it, a face that fails has the reason why it was left so.
+template <class Kernel, class Judge, class Refinement>
+class Patch_judgement
+{
+  typedef Patch_triangulation_2<Kernel> Triangulation;
+  typedef typename Triangulation::Face_handle Face_handle;
+
+  Triangulation& m_triangulation;
+  const Judge& m_judge;
+  Refinement& m_refinement; // tells why faces were left
+
+public:
+  Patch_judgement(Triangulation& triangulation, const Judge& judge, Refinement& refinement)
+    : m_triangulation(triangulation), m_judge(judge), m_refinement(refinement)
+  {}
+
+  void operator()()
+  {
+    for_each_face_with_lookahead(m_triangulation, [this](Face_handle face) {
+      if(face->is_in_domain() && !is_collapsed(face))
+        judge(face);
+    });
+  }
+
+private:
+  void judge(Face_handle face)
+  {
+    if(face->verdict().scope() != Scope::WHOLE) // split since it was refined, or refinement was stopped
+      face->set_verdict({m_judge.first_failed(face), Scope::WHOLE});
+    const Verdict before = face->verdict();
+    if(before.meets(Scope::WHOLE) && can_refine_all_edges(face))
+      return;
+    const Criterion_set failed = before.fails() ? m_judge.failed(face) : m_judge.failed_by_deviation(face);
+    face->set_verdict({failed, Scope::WHOLE});
+    if(before.is_refused())
+      face->refuse(before.refusal());
+    else if(before.fails())
+      face->refuse(m_refinement.why_left(face));
+    else if(!failed.empty())
+      face->refuse(cause_at_edges(face));
+  }
+
+  bool can_refine_all_edges(Face_handle face) const
+  {
+    return m_judge.can_refine(face, 0) && m_judge.can_refine(face, 1) && m_judge.can_refine(face, 2);
+  }
+
+  // Of a face that refinement had nothing to say against: it is for edges that no point inside the patch makes better.
+  Unmet_cause cause_at_edges(Face_handle face) const
+  {
+    for(int i = 0; i < 3; ++i)
+      if(face->is_constrained(i) && !face->is_close(i) && is_on_true_boundary(face, i))
+        return Unmet_cause::BOUNDARY;
+    return Unmet_cause::MINIMUM_EDGE;
+  }
+};
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_PATCH_JUDGEMENT_H
