@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Tells whether a vertex is better off elsewhere: if the triangles around it have a better quality there, keep their limits,
-// and are on the right side of the surface.
+// Tells whether a place is better for a vertex: whether the triangles around it would have a better quality, keep their limits, and
+// face to the same side as the surface.
 template <class Evaluator, class Star>
 class Better_place
 {
@@ -31,12 +31,11 @@ class Better_place
   Point m_point;
 
 public:
-  // `star`: of the vertex
   Better_place(const Evaluator& evaluate, const Star& star, const Parametric_surface_mesh_criteria& criteria)
     : m_evaluate(evaluate), m_star(star), m_limits(criteria)
   {}
 
-  // `before`: of the star as it is
+  // `before` is the quality of the star as it is.
   template <class TriangleQuality = Squared_mean_ratio>
   bool is_found_at(const Point_2& target, const Star_quality& before,
                    const TriangleQuality& triangle_quality = TriangleQuality())
@@ -49,7 +48,7 @@ public:
            && !m_star.is_inverted(m_point, m_evaluate.oracle());
   }
 
-  // the one that was found
+  // The point that was found.
   const Point& point() const { return m_point; }
 };
 

@@ -52,7 +52,7 @@ public:
 
   bool is_inverted(Face_handle face) const { return internal::is_inverted(face, m_evaluate.oracle()); }
 
-  // Returns the faces that have changed, so that fewer of them than before are on the wrong side; none if there is no way.
+  // Returns the faces that have changed, of which fewer face away than before; none if there is no such change.
   const std::vector<Face_handle>& operator()(Face_handle face)
   {
     m_changed.clear();
@@ -88,7 +88,7 @@ private:
     m_states.give_back();
   }
 
-  // Towards the apices of equilateral triangles over the edges of the star, and towards their mean, by shares of the way.
+  // Moves a vertex by shares of the ways to the apices of equilateral triangles over the edges of the star, and to their mean.
   void move(Vertex_handle vertex)
   {
     m_star.collect(vertex);

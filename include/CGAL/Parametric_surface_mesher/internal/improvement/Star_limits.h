@@ -16,11 +16,11 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// What smoothing keeps: no triangle becomes larger than its spacing allows, no edge shorter than the minimum, and none longer
-// than the diagonal of a square with the spacing as its side, if no angle is at stake.
+// The limits that smoothing respects: no triangle becomes larger than its spacing allows, no edge shorter than the minimum, and in
+// stars without small angles none longer than the diagonal of a square with the spacing as its side.
 class Star_limits
 {
-  static constexpr double squared_longest_edge = 0.5; // the diagonal of a square, by twice its side
+  static constexpr double squared_longest_edge = 0.5; // square of the diagonal of a square over the sum of two of its sides
 
   double m_squared_size, m_squared_min_edge;
 
@@ -29,7 +29,7 @@ public:
     : m_squared_size(square(criteria.size_factor())), m_squared_min_edge(square(criteria.min_edge()))
   {}
 
-  // Whether they are met, or missed by no more than before. `shape_before`: called if they are missed
+  // Whether the limits are met, or missed by no more than before. `shape_before()` is called only if they are missed.
   template <class ShapeBefore>
   bool allow(const Star_shape& after, const ShapeBefore& shape_before) const
   {

@@ -38,7 +38,7 @@ class Valence_equalization
   typedef typename Triangulation::Face_handle Face_handle;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Point Point;
-  typedef std::array<Vertex_handle, 4> Quadrilateral; // the edge is from 0 to 1
+  typedef std::array<Vertex_handle, 4> Quadrilateral; // the edge runs from 0 to 1
 
   struct Neighbor
   {
@@ -59,14 +59,14 @@ public:
       m_star(triangulation, evaluate.oracle().metric())
   {}
 
-  // Flips an edge of a vertex with more than six neighbours, if one is to be flipped.
+  // Flips an edge of a vertex with more than six neighbours if that improves valences and shapes.
   void operator()(Vertex_handle vertex)
   {
     collect_ring(vertex);
     const std::size_t n = m_ring.size();
     for(std::size_t k = 0; k < n; ++k) {
       const Neighbor &across = m_ring[k], &left = m_ring[(k + 1) % n], &right = m_ring[(k + n - 1) % n];
-      // of the sum of the squared differences of four valences from six
+      // a flip reduces the sum of the squared differences of the four valences from six under this condition
       const bool gains = int(n) + across.valence > left.valence + right.valence + 2;
       const Quadrilateral vertices{vertex, across.vertex, left.vertex, right.vertex};
       if(gains && std::all_of(vertices.begin(), vertices.end(), can_move) && flip_if_better(vertices))
@@ -77,7 +77,7 @@ public:
 private:
   static bool can_move(Vertex_handle vertex) { return !vertex->is_on_boundary() && !vertex->is_kept(); }
 
-  // in counterclockwise order
+  // Collects the neighbours of a vertex in counterclockwise order.
   void collect_ring(Vertex_handle vertex)
   {
     m_ring.clear();
@@ -115,7 +115,7 @@ private:
     return false;
   }
 
-  // to where the triangles around are closest to equilateral, better or not
+  // Moves a vertex to where the triangles around are closest to equilateral, whether that is better or not.
   void move(Vertex_handle vertex)
   {
     m_star.collect(vertex);
@@ -142,7 +142,7 @@ private:
     }
   }
 
-  // the worst of all four stars, with the mean of their means
+  // The worst measures among all four stars, with the mean of their mean qualities.
   Star_shape shape(const Quadrilateral& vertices)
   {
     Star_shape result;

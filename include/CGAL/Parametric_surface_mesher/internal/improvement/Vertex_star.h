@@ -24,32 +24,35 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The shape of triangles.
+// The shape of the triangles of a star.
 struct Star_quality
 {
-  double squared_sine = 1; // of the smallest angle
-  double mean = 0;         // of the quality of the triangles
+  // The squared sine of 40 degrees, the default improvement angle.
+  static constexpr double good_squared_sine = 0.413;
 
-  // no angle below 40 degrees
-  bool is_good() const { return squared_sine > 0.413; }
+  double squared_sine = 1; // that of the smallest angle
+  double mean = 0;         // the mean quality of the triangles
 
-  // In a good star the mean counts, else the smallest angle.
+  // Whether no angle is below 40 degrees.
+  bool is_good() const { return squared_sine > good_squared_sine; }
+
+  // Good stars are compared by the mean quality, others by the smallest angle.
   bool is_better_than(const Star_quality& other) const
   {
     return other.is_good() ? is_good() && mean > other.mean : squared_sine > other.squared_sine;
   }
 };
 
-// What a star would be like with its centre elsewhere.
+// The measures of a star with its centre at some position.
 struct Star_shape
 {
   Star_quality quality;
   double squared_size = 0;     // the largest squared circumradius by the squared sum of the spacings
-  double squared_length = 0;   // of the longest edge of the centre, by the squared sum of the spacings
-  double squared_distance = std::numeric_limits<double>::infinity(); // to the nearest vertex of the ring
+  double squared_length = 0;   // the largest squared length of an edge of the centre by the squared sum of the spacings
+  double squared_distance = std::numeric_limits<double>::infinity(); // from the nearest vertex of the ring
 };
 
-// The triangles around an inner vertex, and what they would be if the vertex were elsewhere.
+// The triangles around an inner vertex, as they are and as they would be if the vertex were elsewhere.
 template <class Triangulation, class MetricField>
 class Vertex_star
 {
@@ -68,11 +71,11 @@ private:
   const MetricField& m_metric;
   Vertex_handle m_center;
   std::vector<Face_handle> m_faces;
-  std::vector<int> m_numbers;             // of the centre in the faces
-  std::vector<Vertex_handle> m_ring;      // face k has vertices k and k + 1
-  std::vector<double> m_squared_lengths; // of the edges of the ring
-  std::size_t m_worst = 0;               // number of a triangle
-  std::vector<std::array<double, 3>> m_triangles; // squared lengths, as `for_each_triangle()` gives them
+  std::vector<int> m_numbers;             // by face: the index of the centre in it
+  std::vector<Vertex_handle> m_ring;      // face k has the vertices k and k + 1 of the ring
+  std::vector<double> m_squared_lengths; // by edge of the ring
+  std::size_t m_worst = 0;               // the index of the triangle that was the worst when last measured
+  std::vector<std::array<double, 3>> m_triangles; // their squared lengths, as passed by `for_each_triangle()`
 
 public:
   Vertex_star(const Triangulation& triangulation, const MetricField& metric) : m_triangulation(triangulation), m_metric(metric)
@@ -90,7 +93,7 @@ public:
     const Face_handle first = vertex->face();
     Face_handle face = first;
     do {
-      const int i = int(face->vertex(1) == vertex) + 2 * int(face->vertex(2) == vertex); // `index()` has branches
+      const int i = int(face->vertex(1) == vertex) + 2 * int(face->vertex(2) == vertex); // unlike `index()` this has no branches
       m_faces.push_back(face);
       m_numbers.push_back(i);
       m_ring.push_back(face->vertex(Triangulation::ccw(i)));
@@ -104,7 +107,7 @@ public:
   const Point& center() const { return m_center->point(); }
   double spacing() const { return m_center->spacing(); }
 
-  // of the star as it is
+  // The quality of the star as it is.
   template <class TriangleQuality = Squared_mean_ratio>
   Star_quality quality(const TriangleQuality& triangle_quality = TriangleQuality())
   {
@@ -119,7 +122,8 @@ public:
     return result;
   }
 
-  // Of any angle; what is not above `least` need not be the smallest. The triangle that was the worst is asked first.
+  // The squared sine of the smallest angle with the centre at this point. If it is not above `least`, the result may be that of any
+  // such angle. The triangle that was the worst before comes first, since it most often decides.
   double squared_smallest_sine(const Point& center, double least = 0)
   {
     double result = 1, previous = m_metric.squared_length(center, ring_point(m_worst));
@@ -160,7 +164,7 @@ public:
   }
 
   // The mean of the apices of equilateral triangles over the edges of the ring, each in the plane of its triangle.
-  // \pre `quality()` was asked for
+  // \pre `quality()` was called
   Point_2 mean_of_apices() const
   {
     const Point& p = center();
@@ -168,9 +172,9 @@ public:
     for(std::size_t k = 0; k < m_triangles.size(); ++k) {
       const std::array<double, 3>& lengths = m_triangles[k];
       const Point &q = ring_point(k), &r = ring_point(k + 1);
-      // of the centre, in the coordinate along the edge from `q` to `r`
+      // the coordinate of the centre along the edge from `q` to `r`
       const double foot = 0.5 * (lengths[2] + lengths[0] - lengths[1]) / lengths[0];
-      // of the equilateral triangle to that of the triangle
+      // the height of the equilateral triangle over that of the triangle
       const double ratio_of_heights = std::sqrt(3 / (std::max)(squared_area_16(lengths), 1e-300)) * lengths[0];
       const double qx = q.x() - p.x(), qy = q.y() - p.y(), rx = r.x() - p.x(), ry = r.y() - p.y();
       x += 0.5 * (qx + rx) - ratio_of_heights * (qx + foot * (rx - qx));
@@ -179,9 +183,9 @@ public:
     return Point_2(p.x() + x / double(m_ring.size()), p.y() + y / double(m_ring.size()));
   }
 
-  // The direction in which the mean quality rises most steeply, of length 1 by the tensor of the centre; zero at the top. The
-  // gradient of a squared length |c - q|^2 under the metric is 2 (c - q).
-  // \pre `quality()` was asked for
+  // The direction in which the mean quality increases most, of length 1 under the tensor of the centre; zero at a maximum. It uses
+  // that the gradient of a squared length |c - q|^2 under the metric is 2 (c - q).
+  // \pre `quality()` was called
   template <class TriangleQuality>
   Vector_2 direction_of_ascent(const TriangleQuality& triangle_quality) const
   {
@@ -195,7 +199,7 @@ public:
     return squared_length > 0 ? result / std::sqrt(squared_length) : Vector_2(0, 0);
   }
 
-  // The apices of equilateral triangles over the edges of the ring by the tensors there, and last their mean.
+  // The apices of equilateral triangles over the edges of the ring, under the tensors there, and at the end their mean.
   void apices(std::vector<Point_2>& result) const
   {
     result.clear();
@@ -208,15 +212,15 @@ public:
     result.emplace_back(x / double(m_ring.size()), y / double(m_ring.size()));
   }
 
-  // from the ring, or no closer to it than `old_point`
+  // Whether a point keeps this distance from the ring, or is at least not closer to it than `old_point`.
   bool is_far_enough(const Point& point, const Point& old_point, double squared_min_distance) const
   {
     const double squared_distance = squared_distance_to_ring(point);
     return squared_distance >= squared_min_distance || squared_distance >= squared_distance_to_ring(old_point);
   }
 
-  // Whether all triangles stay positively oriented with their centre there; exact. Where triangles are flat a position that
-  // is computed from them need not be finite.
+  // Whether all triangles are positively oriented with the centre at this position, by exact tests. A position that is computed
+  // from flat triangles need not be finite.
   bool is_around(const Point_2& position) const
   {
     if(!std::isfinite(position.x() + position.y()))
@@ -228,8 +232,8 @@ public:
     return true;
   }
 
-  // Whether a triangle would face away from the surface. Where the parametrisation has much the same speed all around, none
-  // can.
+  // Whether a triangle would face away from the surface. This is impossible where the speed of the parametrisation is about the
+  // same all around.
   template <class Oracle>
   bool is_inverted(const Point& center, const Oracle& oracle) const
   {
@@ -241,7 +245,7 @@ public:
     return false;
   }
 
-  // moves the centre, perhaps not for good
+  // Moves the centre to a point from which it may be moved back.
   void try_at(const Point& point)
   {
     m_center->set_point(point);
@@ -272,8 +276,8 @@ private:
   const Vertex_handle& ring_vertex(std::size_t k) const { return m_ring[k < m_ring.size() ? k : 0]; }
   const Point& ring_point(std::size_t k) const { return ring_vertex(k)->point(); }
 
-  // calls with the number of each triangle and its squared lengths: that of the ring's edge first, then those opposite to
-  // the edge's ends
+  // Calls a function with the index of each triangle and its squared lengths: first that of the edge of the ring, then those of the
+  // edges opposite to its ends.
   template <class Function>
   void for_each_triangle(const Point& center, const Function& function) const
   {

@@ -29,14 +29,14 @@ enum class Urgency : std::uint8_t
   FIRST
 };
 
-// A bad face, and how bad it is: powers of two of its badness.
+// A bad face with the power of two of its badness.
 template <class Face_handle>
 struct Bad_face
   : public Stamped_face<Face_handle>
 {
   static const int number_of_octaves = 32;
 
-  std::uint8_t octave; // half of one for lengths, as badness is a squared ratio
+  std::uint8_t octave; // a factor of sqrt(2) in lengths, since badness is a squared ratio
   Urgency urgency;
 
   Bad_face(Face_handle f, double badness, Urgency u)
@@ -55,7 +55,7 @@ class Bad_face_buckets
   typedef internal::Bad_face<Face_handle> Bad_face;
 
   std::array<std::vector<Bad_face>, 3 * Bad_face::number_of_octaves> m_buckets;
-  int m_top = -1; // no bucket above it holds a face
+  int m_top = -1; // buckets above it have no face
   std::size_t m_size = 0;
 
 public:
@@ -67,7 +67,7 @@ public:
     ++m_size;
   }
 
-  // the worst face, or a default constructed handle if there is none
+  // Removes and returns one of the worst faces; a default constructed handle if there is none.
   Face_handle pop()
   {
     for(; m_top >= 0; --m_top)
@@ -83,7 +83,7 @@ public:
     return Face_handle();
   }
 
-  // the number of entries, an upper bound of the number of faces waiting
+  // The number of entries, an upper bound of the number of faces that wait.
   std::size_t size() const { return m_size; }
 };
 

@@ -34,14 +34,15 @@ class Bad_face_queue
   typedef std::decay_t<decltype(std::declval<Face_handle>()->vertex(0)->point().domain_point())> Point_2;
   typedef Balanced_cells_2<Point_2> Cells;
 
-  // From this badness on cells are not looked at. It is about the number of triangles that a face is refined to.
+  // Faces with a badness of 2^9 and more do not wait by cells. The badness is about the number of triangles that a face is refined
+  // to.
   static const int first_octave_of_coarse = 9;
-  static constexpr double triangles_in_cell = 32000; // in the mean: 4 MB
+  static constexpr double triangles_in_cell = 32000; // on average; they take 4 MB
 
   Bad_face_buckets<Face_handle> m_at_hand;
   Cells m_cells;
   std::vector<std::vector<Bad_face>> m_waiting; // by cell
-  std::size_t m_cell = 0;                       // whose faces are at hand
+  std::size_t m_cell = 0;                       // the cell whose faces are at hand
   std::size_t m_number_of_waiting = 0;
   bool m_has_cells = false;
 
@@ -57,7 +58,7 @@ public:
       push_by_place(bad);
   }
 
-  // the next face, or a default constructed handle if there is none
+  // Removes and returns the next face; a default constructed handle if there is none.
   Face_handle pop()
   {
     for(;;) {
@@ -71,7 +72,7 @@ public:
     }
   }
 
-  // the number of entries, an upper bound of the number of faces waiting
+  // The number of entries, an upper bound of the number of faces that wait.
   std::size_t size() const { return m_at_hand.size() + m_number_of_waiting; }
 
 private:
@@ -88,7 +89,7 @@ private:
     }
   }
 
-  // once nothing coarse is left
+  // Makes the cells, when no coarse face is left.
   void make_cells()
   {
     const std::vector<Bad_face> all = std::move(m_waiting[0]);
@@ -105,7 +106,7 @@ private:
         push_by_place(bad);
   }
 
-  // \pre a face waits
+  // \pre at least one face waits
   void take_next_cell()
   {
     while(m_waiting[m_cell].empty())

@@ -32,7 +32,7 @@ class Front_queue
 {
   typedef Stamped_face<Face_handle> Entry;
 
-  // entries from `first` on wait
+  // The entries of a tile, of which those from `first` on wait.
   struct Tile
   {
     std::vector<Entry> entries;
@@ -40,24 +40,24 @@ class Front_queue
     bool is_waiting = false;
   };
 
-  // The tile that had an entry last comes next.
+  // The tiles of one octave. The tile that got an entry last comes next.
   struct Octave
   {
     std::vector<Tile> tiles;
-    std::vector<std::size_t> waiting; // tiles with entries, other than the current one
+    std::vector<std::size_t> waiting; // the tiles with entries, except for the current one
     std::size_t current = 0;
   };
 
-  static const int highest_octave = 10; // a circumcircle of more than 32 times the wanted radius limits nothing
+  static const int highest_octave = 10; // all ratios of radii above 32 wait together
 
   std::array<Octave, highest_octave + 1> m_octaves;
-  int m_top = -1; // no octave above it holds an entry
+  int m_top = -1; // octaves above it have no entry
   std::size_t m_number_of_tiles, m_size = 0;
 
 public:
   explicit Front_queue(std::size_t number_of_tiles) : m_number_of_tiles(number_of_tiles) {}
 
-  // `squared_ratio`: of the circumradius to the wanted one
+  // `squared_ratio` is that of the circumradius to the wanted one.
   void push(Face_handle face, double squared_ratio, std::size_t tile_number)
   {
     const int n = squared_ratio < 1 << highest_octave ? std::ilogb((std::max)(squared_ratio, 1.)) : highest_octave;
@@ -73,7 +73,7 @@ public:
     }
   }
 
-  // the next face, or a default constructed handle if there is none
+  // Removes and returns the next face; a default constructed handle if there is none.
   Face_handle pop()
   {
     for(; m_top >= 0; --m_top) {
@@ -84,7 +84,7 @@ public:
     return Face_handle();
   }
 
-  // the number of entries, an upper bound of the number of faces waiting
+  // The number of entries, an upper bound of the number of faces that wait.
   std::size_t size() const { return m_size; }
 
 private:
@@ -109,7 +109,7 @@ private:
       if(entry.is_up_to_date())
         return entry.face;
     }
-    tile = Tile(); // gives its memory back
+    tile = Tile(); // releases its memory
     return Face_handle();
   }
 };

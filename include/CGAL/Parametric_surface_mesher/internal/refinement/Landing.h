@@ -14,9 +14,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// How far a point of the surface is from where a face was to have it: a point of the face's plane, given by barycentric
-// coordinates. The affine map of the face tells how to correct its place in the domain: a Newton step with the slopes of
-// the face's chords.
+// Measures how far a new point of the surface is from its target, a point in the plane of a face that is given by barycentric
+// coordinates, and corrects its place in the domain by the affine map of the face: a Newton step with the slopes of the face's
+// chords.
 template <class Kernel>
 class Landing
 {
@@ -27,7 +27,7 @@ class Landing
 
   Vector_2 m_domain_edges[2];
   Vector_3 m_edges[2];
-  double m_squares[3]; // of the edges, and their product
+  double m_squares[3]; // the squared lengths of two edges, and their product
   Point_3 m_target;
 
 public:
@@ -46,7 +46,7 @@ public:
     m_target = p.surface_point() + weights[1] * m_edges[0] + weights[2] * m_edges[1];
   }
 
-  // within the plane of the face
+  // The squared error within the plane of the face.
   template <class ParametricPoint>
   double squared_error(const ParametricPoint& point) const
   {
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  // the way to the target, in multiples of the edges; none in a face without area
+  // The way to the target in multiples of the edges; none in a face without area.
   template <class ParametricPoint>
   std::array<double, 2> step_to_target(const ParametricPoint& point) const
   {

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Where in the domain a new point may go, for a bad face. All positions come from the edge lengths under the metric: the
-// face's affine map between domain and space turns them into domain points.
+// Positions for a new point that improves a bad face. They are computed from the edge lengths under the metric, and the affine map
+// of the face between space and domain turns them into domain points.
 template <class Kernel>
 class Point_placement
 {
@@ -31,24 +31,24 @@ public:
   typedef typename Kernel::Point_2 Point_2;
   typedef std::array<double, 3> Weights; // barycentric coordinates in a face
 
-  // The centre of the circumellipse (paper, section "Procedure"), or of a triangle without area the centroid.
+  // The centre of the circumellipse (paper, section "Procedure"); for a triangle without area, the centroid.
   static Weights circumcenter_weights(const Face_measures& measures)
   {
     const std::array<double, 3>& l = measures.squared_lengths;
     const Weights w = {l[0] * (l[1] + l[2] - l[0]), l[1] * (l[2] + l[0] - l[1]), l[2] * (l[0] + l[1] - l[2])};
     const double sum = w[0] + w[1] + w[2];
-    if(!(sum > 1e-12 * (std::max)({l[0], l[1], l[2]}) * (std::max)({l[0], l[1], l[2]})))
+    if(!(sum > rounding_of_area * (std::max)({l[0], l[1], l[2]}) * (std::max)({l[0], l[1], l[2]})))
       return {1. / 3, 1. / 3, 1. / 3};
     return {w[0] / sum, w[1] / sum, w[2] / sum};
   }
 
-  // Between the middle of the shortest edge and the circumcentre, so that the triangle with that edge has the angle at the
-  // new point (Ungor 2004), or is of the wanted size if that is larger.
+  // The point between the middle of the shortest edge and the circumcentre at which the triangle with that edge has this angle
+  // (Ungor 2004), or the wanted size if that is farther away.
   static Weights off_center_weights(const Face_measures& measures, double angle, double spacing)
   {
     const std::array<double, 3>& l = measures.squared_lengths;
     const int shortest = int(std::min_element(l.begin(), l.end()) - l.begin());
-    const double height = (std::max)(0.5 * std::sqrt(l[shortest]) / std::tan(0.5 * angle), 0.87 * spacing);
+    const double height = (std::max)(0.5 * std::sqrt(l[shortest]) / std::tan(0.5 * angle), height_of_equilateral * spacing);
     const double distance = std::sqrt((std::max)(0., measures.squared_circumradius - l[shortest] / 4));
     const Weights center = circumcenter_weights(measures);
     return height < distance ? on_axis(shortest, height / distance, center) : center;
@@ -65,8 +65,8 @@ public:
     return Point_2(x, y);
   }
 
-  // Positions for a face whose circumcentre is not acceptable, best guess first: on the axis of its shortest edge
-  // (off-centres: apices of isosceles triangles), and the middle of the face.
+  // Positions for a face whose circumcentre is not acceptable, the most promising one first: apices of isosceles triangles over its
+  // shortest edge, and the centroid.
   static boost::container::static_vector<Weights, 4> alternatives(const Face_measures& measures)
   {
     const std::array<double, 3>& l = measures.squared_lengths;
@@ -74,7 +74,7 @@ public:
     const Weights center = circumcenter_weights(measures);
     const double distance = std::sqrt((std::max)(0., measures.squared_circumradius - l[shortest] / 4));
     boost::container::static_vector<Weights, 4> result;
-    for(double height : {1.4, 0.87, 0.6}) {
+    for(double height : heights_over_shortest_edge) {
       const double share = height * std::sqrt(l[shortest]) / distance;
       if(!(share < 1))
         continue;
@@ -84,8 +84,8 @@ public:
     return result;
   }
 
-  // The apex of an isosceles triangle on the left of the edge from `p` to `q`, perpendicular to it under the tensor. The
-  // height is given as a multiple of the edge.
+  // The apex of an isosceles triangle on the left of the edge from `p` to `q`, under the tensors of these. The height is a multiple
+  // of the length of the edge.
   template <class Point>
   static Point_2 apex(const Point& p, const Point& q, double height)
   {
@@ -95,16 +95,25 @@ public:
                    0.5 * (p.y() + q.y()) + scale * (m.e() * du + m.f() * dv));
   }
 
-  // Positions over a boundary edge, inside the domain.
+  // Appends positions over a boundary edge, which has the domain on its left.
   template <class Point>
   static void append_apices(const Point& p, const Point& q, std::vector<Point_2>& positions)
   {
-    for(double height : {0.87, 0.6, 1.2})
+    for(double height : heights_over_boundary)
       positions.push_back(apex(p, q, height));
   }
 
 private:
-  // a share of the way from the middle of an edge to the circumcentre
+  // Relative, of 16 times the squared area.
+  static constexpr double rounding_of_area = 1e-12;
+  // Over the side; sqrt(3) / 2 is 0.866.
+  static constexpr double height_of_equilateral = 0.87;
+  // Heights of isosceles triangles over their bases, in the order in which they are tried: angles at the apex are 39, 60 and 80
+  // degrees over an inner edge, where long triangles often fit better; 60, 80 and 45 degrees over the boundary.
+  static constexpr double heights_over_shortest_edge[] = {1.4, height_of_equilateral, 0.6},
+                          heights_over_boundary[] = {height_of_equilateral, 0.6, 1.2};
+
+  // The point at a share of the way from the middle of an edge to the circumcentre.
   static Weights on_axis(int edge, double share, const Weights& center)
   {
     Weights weights = {0.5, 0.5, 0.5};

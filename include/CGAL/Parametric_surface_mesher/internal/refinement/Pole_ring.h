@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The first inner points of a patch with poles: around each pole, between its neighbours on the boundary, so that
-// triangles of equal angles of about 60 degrees meet there. Around the apex of a pointed cone only a few have room, and
-// refinement rarely finds them; sweeps of smoothing leave them as they are.
+// Inserts the first inner points of a patch with poles: around each pole, between its neighbours on the boundary, such that triangles
+// with equal angles of about 60 degrees meet there. Around the apex of a pointed cone only a few triangles have room, which
+// refinement rarely finds; smoothing does not move their points.
 template <class Evaluator>
 class Pole_ring
 {
@@ -37,9 +37,16 @@ class Pole_ring
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef Boundary_vertex<Kernel> Boundary_point;
 
+  // No ring is inserted if the pieces of the boundary at the pole differ from their mean by more than this factor.
+  static constexpr double tolerated_difference = 1.2;
+  // The smallest distance between points, as a share of the arc between neighbours on the ring (half the radius at most).
+  static constexpr double share_of_arc = 0.7;
+  // In radians: with sectors below 52 degrees an apex is pointed, and smoothing would draw the ring towards it.
+  static constexpr double sector_of_pointed_apex = 0.91;
+
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
-  const Charted_boundary<Kernel>& m_boundary; // of the patch
+  const Charted_boundary<Kernel>& m_boundary; // that of the whole patch
   Vertex_insertion<Triangulation> m_insertion;
 
 public:
@@ -47,7 +54,7 @@ public:
     : m_triangulation(triangulation), m_evaluate(evaluate), m_boundary(boundary), m_insertion(triangulation)
   {}
 
-  // `loops`: the divided boundary in the chart; of a part of the patch, maybe
+  // `loops` is the divided boundary, in the chart, of the patch or of a part of it.
   void operator()(const Boundary_loops<Kernel>& loops)
   {
     if(chart().is_identity())
@@ -69,14 +76,14 @@ private:
                  radius_after = std::sqrt(squared_distance(pole.surface_point, after.surface_point));
     const double radius = 0.5 * (radius_before + radius_after);
     const Vertex_handle vertex = pole_vertex(pole.index);
-    if(vertex == Vertex_handle() || (std::max)(radius_before, radius_after) > 1.2 * radius)
+    if(vertex == Vertex_handle() || (std::max)(radius_before, radius_after) > tolerated_difference * radius)
       return;
     const double angle = chart().angle_at_pole(vertex->point().domain_point());
     const bool is_all_around = before.index == after.index;
     const int n = number_of_sectors(angle, is_all_around);
-    const double min_distance = (std::min)(0.5, 0.7 * angle / n) * radius;
-    // around a pointed apex the triangles must stay as long as the first piece of the seam
-    const bool is_pointed = is_all_around && angle / n < 0.91;
+    const double min_distance = (std::min)(0.5, share_of_arc * angle / n) * radius;
+    // around a pointed apex the triangles must remain as long as the first piece of the seam
+    const bool is_pointed = is_all_around && angle / n < sector_of_pointed_apex;
     const Point_2 from = m_boundary.domain_point(before.domain_point), to = m_boundary.domain_point(after.domain_point);
     for(int k = 1; k < n; ++k)
       insert(chart().chart_point(from + double(k) / n * (to - from)), vertex, radius, min_distance, is_pointed);
@@ -90,7 +97,8 @@ private:
     return Vertex_handle();
   }
 
-  // where it is in the domain, and not much closer to others than the ring's points are to each other
+  // Inserts a point of the ring if it is inside the domain and not much closer to others than the points of the ring are to each
+  // other.
   void insert(const Point_2& position, Vertex_handle pole, double radius, double min_distance, bool is_pointed)
   {
     auto face = pole->face();
