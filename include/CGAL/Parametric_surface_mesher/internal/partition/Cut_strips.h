@@ -77,7 +77,7 @@ private:
 public:
   Cut_strips(const Patch_parts<Kernel>& parts, std::vector<Triangulation*> triangulations)
     : m_parts(parts), m_triangulations(std::move(triangulations)), m_taken(m_triangulations.size()),
-      m_strips(parts.number_of_seams()), m_is_on_border(parts.number_of_cut_points(), false)
+      m_strips(parts.number_of_strips()), m_is_on_border(parts.number_of_cut_points(), false)
   {}
 
   // The numbers of triangles of the strips.
@@ -98,7 +98,7 @@ public:
     std::unordered_set<Vertex_handle> is_reached;                  // never iterated over
     for(Vertex_handle vertex : triangulation.finite_vertex_handles())
       if(is_of_cut(vertex)) {
-        ring.emplace_back(vertex, m_parts.seam(vertex->index() - m_parts.first_index()));
+        ring.emplace_back(vertex, m_parts.strip(vertex->index() - m_parts.first_index()));
         is_reached.insert(vertex);
       }
     for(int k = 0; k < number_of_rings; ++k, ring.swap(next), next.clear())

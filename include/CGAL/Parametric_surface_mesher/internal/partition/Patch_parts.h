@@ -39,7 +39,7 @@ class Patch_parts
   typedef Region_cut<Kernel> Cut;
   typedef std::vector<std::size_t> Chain; // indices of nodes
 
-  static const std::size_t no_seam = std::size_t(-1);
+  static const std::size_t no_strip = std::size_t(-1);
   // The largest part, as a share of the largest patch that is not split: 50 000 triangles fit into the caches of most processors.
   static constexpr double share_of_part = 0.5;
   // The largest part is at least this share of the patch: with more parts, joining them takes longer than caches save.
@@ -48,9 +48,9 @@ class Patch_parts
   // cuts do not meet.
   static const std::size_t reach_of_meeting_point = 8;
 
-  std::size_t m_first_index = 0, m_number_of_seams = 0;
+  std::size_t m_first_index = 0, m_number_of_strips = 0;
   std::vector<Region> m_regions;
-  std::vector<std::size_t> m_seams; // by point of a cut
+  std::vector<std::size_t> m_strips; // by point of a cut
   std::vector<Chain> m_chains;
 
 public:
@@ -76,16 +76,16 @@ public:
       else
         m_regions.push_back(std::move(region));
     }
-    find_seams();
+    find_strips();
   }
 
   const std::vector<Region>& regions() const { return m_regions; }
   std::size_t first_index() const { return m_first_index; }
-  std::size_t number_of_cut_points() const { return m_seams.size(); }
-  std::size_t number_of_seams() const { return m_number_of_seams; }
+  std::size_t number_of_cut_points() const { return m_strips.size(); }
+  std::size_t number_of_strips() const { return m_number_of_strips; }
 
   // The strip of the point of a cut with index `first_index() + i`.
-  std::size_t seam(std::size_t i) const { return m_seams[i]; }
+  std::size_t strip(std::size_t i) const { return m_strips[i]; }
 
 private:
   template <class Evaluator>
@@ -112,8 +112,8 @@ private:
   {
     for(auto& chain : cut.chains) {
       for(std::size_t i = 1; i + 1 < chain.nodes.size(); ++i) {
-        chain.nodes[i].index = m_first_index + m_seams.size();
-        m_seams.push_back(m_chains.size());
+        chain.nodes[i].index = m_first_index + m_strips.size();
+        m_strips.push_back(m_chains.size());
       }
       m_chains.emplace_back();
       for(const auto& node : chain.nodes)
@@ -124,36 +124,36 @@ private:
   bool is_of_cut(std::size_t index) const { return index >= m_first_index; }
 
   // First each chain has one strip. Then each point where a chain ends on another one gets a strip around it.
-  void find_seams()
+  void find_strips()
   {
     const std::size_t n = m_chains.size();
-    const std::vector<std::size_t> chains = m_seams; // by point
-    m_number_of_seams = n;
+    const std::vector<std::size_t> chains = m_strips; // by point
+    m_number_of_strips = n;
     for(std::size_t c = 0; c < n; ++c) {
       Chain chain = m_chains[c];
       for(int end = 0; end < 2; ++end, std::reverse(chain.begin(), chain.end()))
         if(is_of_cut(chain.front())) {
-          const std::size_t seam = seam_of_meeting_point(chain.front(), m_chains[chains[chain.front() - m_first_index]]);
-          mark(chain, 0, seam);
+          const std::size_t strip = strip_of_meeting_point(chain.front(), m_chains[chains[chain.front() - m_first_index]]);
+          mark(chain, 0, strip);
         }
     }
   }
 
-  std::size_t seam_of_meeting_point(std::size_t index, const Chain& chain)
+  std::size_t strip_of_meeting_point(std::size_t index, const Chain& chain)
   {
-    std::size_t seam = m_seams[index - m_first_index];
-    if(seam < m_chains.size())
-      seam = m_number_of_seams++;
-    mark(chain, std::find(chain.begin(), chain.end(), index) - chain.begin(), seam);
-    return seam;
+    std::size_t strip = m_strips[index - m_first_index];
+    if(strip < m_chains.size())
+      strip = m_number_of_strips++;
+    mark(chain, std::find(chain.begin(), chain.end(), index) - chain.begin(), strip);
+    return strip;
   }
 
-  void mark(const Chain& chain, std::size_t i, std::size_t seam)
+  void mark(const Chain& chain, std::size_t i, std::size_t strip)
   {
     const std::size_t first = i - (std::min)(i, std::size_t(reach_of_meeting_point)), last = i + reach_of_meeting_point;
     for(std::size_t k = first; k <= last && k < chain.size(); ++k)
       if(is_of_cut(chain[k]))
-        m_seams[chain[k] - m_first_index] = seam;
+        m_strips[chain[k] - m_first_index] = strip;
   }
 };
 
