@@ -83,13 +83,17 @@ make_parametric_surface_triangle_soup(const Parametric_surface_model_3<Surface>&
                                       const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  return mesh_valid_model(model, np, [&](const auto& valid_model) {
-    return mesh_model<ConcurrencyTag>(valid_model, criteria, np, false, false,
-                                      [](auto& division) { division.number_vertices_first(); },
-                                      [&](const auto&, const auto& mesh) {
-                                        fill_triangle_soup<ConcurrencyTag>(mesh, points, triangles, patch_ids);
-                                      });
-  });
+  if constexpr(check_surface<Surface, typename Surface::Geom_traits>()
+               && check_options<Parametric_surface_mesh_criteria, NamedParameters>())
+    return mesh_valid_model(model, np, [&](const auto& valid_model) {
+      return mesh_model<ConcurrencyTag>(valid_model, criteria, np, false, false,
+                                        [](auto& division) { division.number_vertices_first(); },
+                                        [&](const auto&, const auto& mesh) {
+                                          fill_triangle_soup<ConcurrencyTag>(mesh, points, triangles, patch_ids);
+                                        });
+    });
+  else
+    return {};
 }
 
 } // namespace CGAL
