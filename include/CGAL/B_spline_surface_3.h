@@ -15,7 +15,10 @@
 #include <CGAL/Surface_jet_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Parametric_surface_mesher/internal/surfaces/feature_lines.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -117,7 +120,21 @@ public:
     return evaluate<Parametric_surface_mesher::internal::Basis_function_jets>(u, v);
   }
 
+  /// the lines between which no feature is looked for: for each knot interval as many as the degree.
+  std::array<std::vector<double>, 2> feature_lines() const
+  {
+    return {feature_lines(m_knots_u), feature_lines(m_knots_v)};
+  }
+
 private:
+  static std::vector<double> feature_lines(const Parametric_surface_mesher::internal::Knot_vector& knots)
+  {
+    return Parametric_surface_mesher::internal::polynomial_lines(
+      {std::lower_bound(knots.knots().begin(), knots.knots().end(), knots.min()),
+       std::upper_bound(knots.knots().begin(), knots.knots().end(), knots.max())},
+      knots.degree());
+  }
+
   template <class Basis>
   auto evaluate(double u, double v) const
   {

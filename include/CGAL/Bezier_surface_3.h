@@ -15,7 +15,9 @@
 #include <CGAL/Surface_jet_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Parametric_surface_mesher/internal/surfaces/feature_lines.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -90,6 +92,13 @@ public:
   Surface_jet_3<Kernel> jet(double u, double v) const
   {
     return evaluate<Parametric_surface_mesher::internal::Basis_function_jets>(u, v);
+  }
+
+  /// the lines between which no feature is looked for: as many in each direction as the degree.
+  std::array<std::vector<double>, 2> feature_lines() const
+  {
+    using Parametric_surface_mesher::internal::polynomial_lines;
+    return {polynomial_lines({0, 1}, m_degree_u), polynomial_lines({0, 1}, m_degree_v)};
   }
 
 private:

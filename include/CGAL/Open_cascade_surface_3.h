@@ -21,9 +21,11 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <TopoDS_Face.hxx>
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace CGAL {
 
@@ -101,6 +103,12 @@ public:
   Surface_jet_3<Geom_traits> jet(double u, double v) const
   {
     return std::visit([=](const auto& surface) -> Surface_jet_3<Geom_traits> { return surface.jet(u, v); }, *m_surface);
+  }
+
+  /// the lines between which no feature is looked for.
+  std::array<std::vector<double>, 2> feature_lines() const
+  {
+    return std::visit([](const auto& surface) { return surface.feature_lines(); }, *m_surface);
   }
 
 private:

@@ -19,8 +19,10 @@
 #include <CGAL/Origin.h>
 #include <CGAL/number_type_config.h>
 
+#include <array>
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 namespace CGAL {
 
@@ -76,6 +78,9 @@ public:
     const Vector_3 zero(0, 0, 0);
     return { point(u, v), m_a, m_b, zero, zero, zero };
   }
+
+  /// none: a plane has no features.
+  std::array<std::vector<double>, 2> feature_lines() const { return {}; }
 };
 
 /*!

@@ -115,12 +115,23 @@ public:
     return *this;
   }
 
-  /// the bound of the distance from the surface to a triangle, sampled at its edge middles and its centroid.
+  /// the bound of the distance from the surface to a triangle, sampled at its edge middles and its centroid, and at more places
+  /// where that comes close to the bound.
   /// Default: none. Range: positive.
   Parametric_surface_mesh_criteria& set_distance(double distance)
   {
     Parametric_surface_mesher::internal::check_positive("distance", distance);
     m_tolerances.distance = distance;
+    return *this;
+  }
+
+  /// the number of lines, in each direction of the bounding box of the domain, where features are looked for that
+  /// large triangles miss. A feature is found if it is higher than the criteria allow over a square with sides of two
+  /// gaps between lines. Surfaces with a function `feature_lines()` (see `ParametricSurface_3`) are looked at on their own lines
+  /// instead. 0 for no look. Default: 64.
+  Parametric_surface_mesh_criteria& set_feature_resolution(std::size_t number_of_lines)
+  {
+    m_tolerances.feature_resolution = number_of_lines;
     return *this;
   }
 
@@ -233,6 +244,7 @@ public:
   double size_factor() const { return m_sizing.size_factor; }
   double growth() const { return m_sizing.growth; }
   const std::optional<double>& distance() const { return m_tolerances.distance; }
+  std::size_t feature_resolution() const { return m_tolerances.feature_resolution; }
   const std::optional<double>& closeness() const { return m_sizing.closeness; }
   /// the sizing field, or null.
   const std::shared_ptr<const Sizing_field>& sizing_field() const { return m_sizing.field; }

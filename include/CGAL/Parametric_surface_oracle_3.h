@@ -28,7 +28,7 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // The middle of an edge, straight in the domain. A surface in other coordinates than those of its domain has overloads of
-// this and the next two functions.
+// this and the next three functions.
 template <class Surface, class ParametricPoint>
 auto edge_middle(const Surface&, const ParametricPoint& p, const ParametricPoint& q)
 {
@@ -41,6 +41,13 @@ auto edge_middle_in_space(const Surface& surface, const ParametricPoint& p, cons
 {
   const auto middle = edge_middle(surface, p, q);
   return surface.point(middle.x(), middle.y());
+}
+
+// The point of an edge at a share of the way from `p`.
+template <class Surface, class ParametricPoint>
+auto edge_point(const Surface&, const ParametricPoint& p, const ParametricPoint& q, double share)
+{
+  return typename Surface::Geom_traits::Point_2(p.x() + share * (q.x() - p.x()), p.y() + share * (q.y() - p.y()));
 }
 
 // What the user knows of a point: its place in the domain.
@@ -131,6 +138,24 @@ public:
       result = squared_height_along_normal(edge_middle(m_surface, p, q), height);
     if(!std::isfinite(result))
       throw_not_finite(m_surface, edge_middle(m_surface, p, q));
+    return result;
+  }
+
+  /*!
+  the same over the point of the edge at a share of the way from `p` to `q`.
+  \throws Parametric_surface_mesh_error if the surface is not finite there
+  */
+  template <class ParametricPoint>
+  double squared_height_at(double share, const ParametricPoint& p, const ParametricPoint& q, double gamma) const
+  {
+    using namespace Parametric_surface_mesher::internal;
+    const auto place = edge_point(m_surface, p, q, share);
+    const Vector_3 height = vector_from_line(m_surface.point(place.x(), place.y()), p.surface_point(), q.surface_point());
+    double result = height.squared_length();
+    if(counts_along_normal_only(p, q, result, gamma))
+      result = squared_height_along_normal(place, height);
+    if(!std::isfinite(result))
+      throw_not_finite(m_surface, place);
     return result;
   }
 

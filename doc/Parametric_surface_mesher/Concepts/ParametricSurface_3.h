@@ -34,4 +34,10 @@ public:
 
   /// `S(u,v)` with all partial derivatives up to second order.
   CGAL::Surface_jet_3<Geom_traits> jet(double u, double v) const;
+
+  /// optional: lines of the domain, by their `u` and by their `v`, in ascending order, such that no feature of the surface is
+  /// narrower than they are apart. They are where the mesher looks for features that its triangles miss. If both are empty
+  /// the surface has no features and is not looked at. Without this function the mesher uses even lines; see
+  /// `CGAL::Parametric_surface_mesh_criteria::set_feature_resolution()`.
+  std::array<std::vector<double>, 2> feature_lines() const;
 };

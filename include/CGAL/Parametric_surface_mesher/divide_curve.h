@@ -16,6 +16,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/curves/Arc_length.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Surface_jet_3.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,10 +106,62 @@ private:
 
 namespace internal {
 
+// The heights of a piece of a curve over its chord.
+template <class Curve>
+class Curve_heights
+{
+  typedef typename Curve::Geom_traits Kernel;
+  typedef typename Kernel::Point_3 Point_3;
+
+  static const int number_of_places = 32;
+
+  const Curve& m_curve;
+  const double m_from, m_to; // parameters
+  const Point_3 m_source, m_target;
+
+public:
+  Curve_heights(const Curve& curve, double from, double to)
+    : m_curve(curve), m_from(from), m_to(to), m_source(curve.point(from)), m_target(curve.point(to))
+  {}
+
+  double chord() const { return std::sqrt(squared_distance(m_source, m_target)); }
+
+  // \pre `chord() > 0`
+  double largest_at_quarters() const { return std::sqrt((std::max)({squared_at(0.25), squared_at(0.5), squared_at(0.75)})); }
+
+  // \pre `chord() > 0`
+  double largest_at_eighths() const
+  {
+    return (std::max)(largest_at_quarters(), std::sqrt((std::max)({squared_at(0.125), squared_at(0.375), squared_at(0.625),
+                                                                   squared_at(0.875)})));
+  }
+
+  // At places that no period has in common.
+  // \pre `chord() > 0`
+  double largest_at_many_places() const
+  {
+    const double golden_ratio = 0.6180339887498949;
+    double result = 0;
+    for(int i = 1; i <= number_of_places; ++i)
+      result = (std::max)(result, squared_at(i * golden_ratio - std::floor(i * golden_ratio)));
+    return (std::max)(std::sqrt(result), largest_at_quarters());
+  }
+
+private:
+  double squared_at(double share) const
+  {
+    return squared_distance(m_curve.point(m_from + share * (m_to - m_from)), typename Kernel::Line_3(m_source, m_target));
+  }
+};
+
 // The positions, as arc lengths, that divide one curve (paper, section "Curve Division").
 template <class Curve, class ArcLength, class Size>
 class Curve_division
 {
+  // Heights closer to the limit than this are looked at more closely: the largest need not be at a quarter.
+  static constexpr double share_for_closer_look = 0.8;
+  static constexpr double largest_ratio_to_height = 1.5; // of the half width of the ellipse around a piece
+
   const Curve& m_curve;
   const ArcLength& m_arc_length;
   const Size& m_size;
@@ -234,19 +287,32 @@ private:
   // The arc height is taken at the quarters too: at an inflection the middle lies on the chord.
   bool deviates(const Curve_position& from, const Curve_position& to) const
   {
-    const auto p = m_curve.point(from.parameter), q = m_curve.point(to.parameter);
-    const double squared_chord = squared_distance(p, q);
-    if(!(squared_chord > 0))
+    const Curve_heights<Curve> heights(m_curve, from.parameter, to.parameter);
+    if(!(heights.chord() > 0))
       return true;
-    const typename Curve::Geom_traits::Line_3 chord(p, q);
-    double squared_height = 0;
-    for(double share : {0.25, 0.5, 0.75})
-      squared_height = (std::max)(squared_height, squared_distance(m_curve.point(interpolate(from, to, share)), chord));
+    const double limit = largest_height(heights, interpolate(from, to, 0.5));
+    double height = heights.largest_at_quarters();
+    if(height <= limit && may_hide_height(from, to, heights.chord(), height, limit))
+      height = heights.largest_at_many_places();
+    else if(height <= limit && height > share_for_closer_look * limit)
+      height = heights.largest_at_eighths();
+    return height > limit;
+  }
+
+  double largest_height(const Curve_heights<Curve>& heights, double middle) const
+  {
     const double reference = m_criteria.curve_deviation() == Curve_deviation::HEIGHT_OVER_CHORD
-                               ? std::sqrt(squared_chord)
-                               : m_curve.curvature_radius(interpolate(from, to, 0.5));
-    const double height = std::sqrt(squared_height);
-    return height > m_criteria.gamma() * reference || (m_criteria.distance() && height > *m_criteria.distance());
+                               ? heights.chord() : m_curve.curvature_radius(middle);
+    const double by_ratio = m_criteria.gamma() * reference;
+    return (std::min)(by_ratio, m_criteria.distance().value_or(by_ratio));
+  }
+
+  // Whether the arc length leaves room for more height than was found. A piece of length `s` between ends at distance `c` is
+  // within an ellipse of half width sqrt(s^2 - c^2) / 2 around them, 1.15 times the height if it is a circular arc.
+  static bool may_hide_height(const Curve_position& from, const Curve_position& to, double chord, double height, double limit)
+  {
+    const double s = to.length - from.length, squared_half_width = (s * s - chord * chord) / 4;
+    return squared_half_width > limit * limit && squared_half_width > square(largest_ratio_to_height * height);
   }
 };
 

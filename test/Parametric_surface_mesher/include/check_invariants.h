@@ -171,6 +171,12 @@ private:
     return m_criteria.distance() ? distance_to_surface(m_mesh, f, m_surface) / *m_criteria.distance() : 0;
   }
 
+  // The same by the largest distance: more places are looked at where the middles and the centroid come close to the bound.
+  double largest_distance_ratio(Mesh::Face_index f) const
+  {
+    return m_criteria.distance() ? largest_distance_to_surface(m_mesh, f, m_surface) / *m_criteria.distance() : 0;
+  }
+
   // But for rounding, each of them is listed if, and only if, it is failed.
   void expect_met(Mesh::Face_index f, Criterion_set but_for = Criterion_set()) const
   {
@@ -202,7 +208,7 @@ private:
       EXPECT_GT(deviation(f), m_criteria.gamma() * (1 - 1e-6)) << f;
     }
     if(unmet.criteria.contains(Mesh_criterion::DISTANCE)) {
-      EXPECT_GT(distance_ratio(f), 1 - 1e-6) << f;
+      EXPECT_GT(largest_distance_ratio(f), 0.99) << f; // the mesher has a safety of half a percent
     }
     EXPECT_FALSE(unmet.criteria.contains(Mesh_criterion::USER)) << f << " fails a criterion that there is not";
     expect_cause(f, unmet.cause);

@@ -120,6 +120,31 @@ double distance_to_surface(const Mesh& mesh, Mesh::Face_index f, const Surface& 
   return (std::max)(result, std::fabs(above) / std::sqrt(normal.squared_length()));
 }
 
+// The same at many places of the edges and of the face.
+template <class Surface>
+double largest_distance_to_surface(const Mesh& mesh, Mesh::Face_index f, const Surface& surface)
+{
+  const int parts = 24;
+  const Uv_map uv = uv_map(mesh);
+  const auto v = corners(mesh, f);
+  const Vector_3 normal = cross_product(mesh.point(v[1]) - mesh.point(v[0]), mesh.point(v[2]) - mesh.point(v[0]));
+  double result = 0;
+  for(int i = 1; i < parts; ++i)
+    for(int k = 1; i + k < parts; ++k) {
+      const Point_2 p = CGAL::barycenter(uv[v[0]], double(i), uv[v[1]], double(k), uv[v[2]], double(parts - i - k));
+      const double above = normal * (surface.point(p.x(), p.y()) - mesh.point(v[0]));
+      result = (std::max)(result, std::fabs(above) / std::sqrt(normal.squared_length()));
+    }
+  for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+    for(int i = 1; i < parts; ++i) {
+      const Mesh::Vertex_index a = mesh.source(h), b = mesh.target(h);
+      const Point_2 p = CGAL::barycenter(uv[a], double(i), uv[b], double(parts - i));
+      const Test_kernel::Line_3 line(mesh.point(a), mesh.point(b));
+      result = (std::max)(result, std::sqrt(CGAL::squared_distance(surface.point(p.x(), p.y()), line)));
+    }
+  return result;
+}
+
 // Whether a face has a vertex on the border.
 inline bool touches_border(const Mesh& mesh, Mesh::Face_index f)
 {

@@ -13,6 +13,8 @@
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_point_2.h>
 #include <CGAL/Surface_jet_3.h>
 
+#include <array>
+
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
@@ -40,6 +42,7 @@ public:
   Charted_surface_3(const Surface& surface, const Chart& chart) : m_surface(surface), m_chart(chart) {}
 
   const Chart& chart() const { return m_chart; }
+  const Surface& surface_in_domain() const { return m_surface; }
 
   // in the coordinates of the domain
   const Surface& domain_surface() const { return m_surface; }
@@ -107,12 +110,12 @@ Point_2 place_in_domain(const Charted_surface_3<Surface>& surface, const Point_2
   return surface.chart().domain_point(z);
 }
 
-// The middle, in the domain, of an edge between two points of the chart. A pole is a whole side of the domain; of that side the
+// The ends, in the domain, of an edge between two points of the chart. A pole is a whole side of the domain; of that side the
 // point opposite to the other end of the edge is taken.
 // \pre `surface.has_bent_edges()`
 template <class Surface, class Kernel>
-typename Kernel::Point_2 middle_in_domain(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
-                                          const Patch_point_2<Kernel>& q)
+std::array<typename Kernel::Point_2, 2> ends_in_domain(const Charted_surface_3<Surface>& surface,
+                                                       const Patch_point_2<Kernel>& p, const Patch_point_2<Kernel>& q)
 {
   const auto& chart = surface.chart();
   typename Kernel::Point_2 a = p.line_point(), b = q.line_point();
@@ -120,7 +123,27 @@ typename Kernel::Point_2 middle_in_domain(const Charted_surface_3<Surface>& surf
     a = chart.on_collapsed_side(a, b);
   if(chart.is_pole(q))
     b = chart.on_collapsed_side(b, a);
-  return midpoint(a, b);
+  return {a, b};
+}
+
+// \pre `surface.has_bent_edges()`
+template <class Surface, class Kernel>
+typename Kernel::Point_2 middle_in_domain(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
+                                          const Patch_point_2<Kernel>& q)
+{
+  const auto ends = ends_in_domain(surface, p, q);
+  return midpoint(ends[0], ends[1]);
+}
+
+// The point of an edge at a share of the way from `p`, in the coordinates whose straight lines count, as a point of the chart.
+template <class Surface, class Kernel>
+typename Kernel::Point_2 edge_point(const Charted_surface_3<Surface>& surface, const Patch_point_2<Kernel>& p,
+                                    const Patch_point_2<Kernel>& q, double share)
+{
+  if(!surface.has_bent_edges())
+    return p.domain_point() + share * (q.domain_point() - p.domain_point());
+  const auto ends = ends_in_domain(surface, p, q);
+  return surface.chart().chart_point(ends[0] + share * (ends[1] - ends[0]));
 }
 
 // The middle of an edge in the coordinates in which it is straight, as a point of the chart.

@@ -151,6 +151,13 @@ public:
   // The point of an edge at a parameter of its curve.
   Point_3 point(std::size_t edge, double t) const { return m_divider.point(edge, t); }
 
+  // How far the curve of the edge is from a piece, a chord of it: what the criteria bound by the distance and by the deviation ratio.
+  double height(const Piece& piece) const
+  {
+    const std::vector<double>& parameters = m_divisions[piece.edge].parameters;
+    return m_divider.height(piece.edge, parameters[piece.number], parameters[piece.number + 1]);
+  }
+
   // Replaces the points of an edge.
   // \pre the points at its ends are the same as before
   void set_parameters(std::size_t edge, const std::vector<double>& parameters)

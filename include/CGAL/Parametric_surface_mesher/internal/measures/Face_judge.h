@@ -97,7 +97,8 @@ public:
       return {Mesh_criterion::INVERTED, badness_of_inverted, false};
     if(m_limits.squared_distance > 0) {
       const double height
-        = (std::max)(deviation.height, has_divisible_edge(f, m_limits) ? squared_distance_at_centroid(f, m_oracle) : 0);
+        = (std::max)(deviation.height, has_divisible_edge(f, m_limits)
+                                           ? squared_distance_inside(f, m_oracle, m_limits, deviation.height) : 0);
       if(height > m_limits.squared_distance)
         return {Mesh_criterion::DISTANCE, height / m_limits.squared_distance, false};
     }
@@ -136,7 +137,8 @@ public:
     if(is_inverted(f))
       result |= Mesh_criterion::INVERTED;
     if(!deviation.has_height_within(m_limits)
-       || (m_limits.squared_distance > 0 && squared_distance_at_centroid(f, m_oracle) > m_limits.squared_distance))
+       || (m_limits.squared_distance > 0
+           && squared_distance_inside(f, m_oracle, m_limits, deviation.height) > m_limits.squared_distance))
       result |= Mesh_criterion::DISTANCE;
     return result;
   }

@@ -138,16 +138,43 @@ bool has_divisible_edge(Face_handle f, const Deviation_limits& limits)
          || squared_length_in_space(f, 2) > limits.squared_divisible_edge;
 }
 
-// The deviation at an edge, which is noted in both its faces if it is within the limits, and not evaluated again.
+// Close to the limit of the distance more places are looked at: the largest distance of a curved surface need not be at a middle
+// or a centroid. A height that is quadratic over a triangle, and within the limit at its middles, is beyond it nowhere unless
+// that at the centroid is above 8/9 of the limit.
+constexpr double squared_share_for_closer_look = 0.5 * 0.5;
+
+// by which the largest height may be above that of the places of a closer look
+constexpr double squared_safety_of_closer_look = 1.01;
+
+inline bool needs_closer_look(double squared_height, const Deviation_limits& limits)
+{
+  return squared_height > squared_share_for_closer_look * limits.squared_distance && squared_height <= limits.squared_distance;
+}
+
+// The height over an edge, given that at its middle: if that is close to the limit of the distance at four more places.
+template <class Point, class Oracle>
+double squared_height_of_edge(double middle, const Point& p, const Point& q, const Oracle& oracle, const Deviation_limits& limits)
+{
+  if(!needs_closer_look(middle, limits))
+    return middle;
+  double result = middle;
+  for(const double share : {0.25, 0.375, 0.625, 0.75})
+    result = (std::max)(result, squared_safety_of_closer_look * oracle.squared_height_at(share, p, q, limits.gamma));
+  return result;
+}
+
+// The deviation at an edge, which is noted in both its faces if it is well within the limits, and not evaluated again.
 template <class Face_handle, class Oracle>
 Squared_deviation squared_deviation_of_edge(Face_handle f, int i, double squared_length, const Oracle& oracle,
                                             const Deviation_limits& limits)
 {
   Squared_deviation result;
-  result.height = oracle.squared_height(f->vertex((i + 1) % 3)->point(), f->vertex((i + 2) % 3)->point(), limits.gamma);
-  if(result.height > 0)
-    result.ratio = result.height / squared_length;
-  if(result.has_ratio_within(limits) && result.has_height_within(limits))
+  const auto &p = f->vertex((i + 1) % 3)->point(), &q = f->vertex((i + 2) % 3)->point();
+  const double middle = oracle.squared_height(p, q, limits.gamma);
+  result.height = squared_height_of_edge(middle, p, q, oracle, limits);
+  if(middle > 0)
+    result.ratio = middle / squared_length;
+  if(result.has_ratio_within(limits) && result.has_height_within(limits) && !needs_closer_look(result.height, limits))
     set_close(f, i);
   return result;
 }
@@ -186,21 +213,87 @@ Squared_deviation squared_deviation_of_edges(Face_handle f, const Oracle& oracle
   return worst;
 }
 
-// The squared distance of the surface at the centroid from the plane of the triangle.
+// Heights of the surface over the plane of a triangle, at places given by barycentric coordinates.
 template <class Face_handle, class Oracle>
-double squared_distance_at_centroid(Face_handle f, const Oracle& oracle)
+class Heights_over_face
 {
-  const auto &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
-  const auto &p = a.surface_point(), &q = b.surface_point(), &r = c.surface_point();
-  const auto normal = cross_product(q - p, r - p);
-  const double area = normal * normal;
-  if(!(area > 0))
+  typedef typename Oracle::Geom_traits Kernel;
+  typedef typename Kernel::Point_2 Point_2;
+
+  const Face_handle m_face;
+  const Oracle& m_oracle;
+  const typename Kernel::Vector_3 m_normal;
+  const double m_squared_length; // of the normal
+
+public:
+  Heights_over_face(Face_handle f, const Oracle& oracle)
+    : m_face(f), m_oracle(oracle), m_normal(cross_product(corner(1) - corner(0), corner(2) - corner(0))),
+      m_squared_length(m_normal * m_normal)
+  {}
+
+  bool has_area() const { return m_squared_length > 0; }
+
+  // times the length of the normal
+  double operator()(double x, double y, double z) const
+  {
+    const auto &a = m_face->vertex(0)->point(), &b = m_face->vertex(1)->point(), &c = m_face->vertex(2)->point();
+    const Point_2 place(x * a.x() + y * b.x() + z * c.x(), x * a.y() + y * b.y() + z * c.y());
+    return at(place);
+  }
+
+  // the same at the centroid
+  double at_centroid() const
+  {
+    const auto &a = m_face->vertex(0)->point(), &b = m_face->vertex(1)->point(), &c = m_face->vertex(2)->point();
+    return at(Point_2((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3));
+  }
+
+  double squared(double height) const { return height * height / m_squared_length; }
+
+  // The largest squared height, given that at the centroid: of some places around it, and of that where the quadratic function
+  // is largest that has the heights at the middles of the edges.
+  double largest_square(double at_centroid) const
+  {
+    double result = at_centroid * at_centroid;
+    for(const double x : {8. / 12, 2. / 12}) { // towards the corners, and towards the middles of the edges
+      const double y = (1 - x) / 2;
+      result = (std::max)({result, square_at(x, y, y), square_at(y, x, y), square_at(y, y, x)});
+    }
+    // It is 4 (m0 y z + m1 z x + m2 x y), and largest where the three derivatives are the same.
+    const double m0 = (*this)(0, 0.5, 0.5), m1 = (*this)(0.5, 0, 0.5), m2 = (*this)(0.5, 0.5, 0);
+    const double x = m0 * (m1 + m2 - m0), y = m1 * (m2 + m0 - m1), z = m2 * (m0 + m1 - m2), sum = x + y + z;
+    if(sum != 0 && x / sum > 0 && y / sum > 0 && z / sum > 0)
+      result = (std::max)(result, square_at(x / sum, y / sum, z / sum));
+    return squared_safety_of_closer_look * result / m_squared_length;
+  }
+
+private:
+  const typename Kernel::Point_3& corner(int i) const { return m_face->vertex(i)->point().surface_point(); }
+
+  double at(const Point_2& place) const
+  {
+    const double height = m_normal * (m_oracle.surface().point(place.x(), place.y()) - corner(0));
+    if(!std::isfinite(height))
+      throw_not_finite(m_oracle.surface(), place);
+    return height;
+  }
+
+  double square_at(double x, double y, double z) const
+  {
+    const double height = (*this)(x, y, z);
+    return height * height;
+  }
+};
+
+// The largest squared distance of the surface inside a triangle from its plane: at its centroid, and if that or the height at the edges is close to the limit at more places.
+template <class Face_handle, class Oracle>
+double squared_distance_inside(Face_handle f, const Oracle& oracle, const Deviation_limits& limits, double squared_at_edges)
+{
+  const Heights_over_face<Face_handle, Oracle> heights(f, oracle);
+  if(!heights.has_area())
     return 0;
-  const typename Oracle::Geom_traits::Point_2 centroid((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
-  const double height = normal * (oracle.surface().point(centroid.x(), centroid.y()) - p);
-  if(!std::isfinite(height))
-    throw_not_finite(oracle.surface(), centroid);
-  return height * height / area;
+  const double at_centroid = heights.at_centroid(), squared = heights.squared(at_centroid);
+  return needs_closer_look((std::max)(squared, squared_at_edges), limits) ? heights.largest_square(at_centroid) : squared;
 }
 
 } // namespace internal

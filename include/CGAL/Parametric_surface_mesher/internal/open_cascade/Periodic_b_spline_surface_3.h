@@ -12,8 +12,10 @@
 #include <CGAL/B_spline_surface_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -38,7 +40,27 @@ public:
   auto point(double u, double v) const { return m_spline.point(base_u(u), base_v(v)); }
   auto jet(double u, double v) const { return m_spline.jet(base_u(u), base_v(v)); }
 
+  std::array<std::vector<double>, 2> feature_lines() const
+  {
+    std::array<std::vector<double>, 2> result = m_spline.feature_lines();
+    if(m_is_periodic_u)
+      add_periods(m_spline.u_max() - m_spline.u_min(), result[0]);
+    if(m_is_periodic_v)
+      add_periods(m_spline.v_max() - m_spline.v_min(), result[1]);
+    return result;
+  }
+
 private:
+  // one before, and one after: the domains of faces are not farther away
+  static void add_periods(double period, std::vector<double>& lines)
+  {
+    const std::vector<double> base(std::move(lines));
+    lines.clear();
+    for(int i = -1; i <= 1; ++i)
+      for(double x : base)
+        lines.push_back(x + i * period);
+  }
+
   double base_u(double u) const { return m_is_periodic_u ? base(u, m_spline.u_min(), m_spline.u_max()) : u; }
   double base_v(double v) const { return m_is_periodic_v ? base(v, m_spline.v_min(), m_spline.v_max()) : v; }
 

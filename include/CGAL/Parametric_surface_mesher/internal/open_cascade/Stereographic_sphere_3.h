@@ -14,7 +14,9 @@
 #include <CGAL/Surface_jet_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -51,6 +53,8 @@ public:
     const double g = 2 / (1 + u * u + v * v);
     return m_frame.origin() + vector(u * g, v * g, 1 - g);
   }
+
+  std::array<std::vector<double>, 2> feature_lines() const { return {}; }
 
   Surface_jet_3<Kernel> jet(double u, double v) const
   {

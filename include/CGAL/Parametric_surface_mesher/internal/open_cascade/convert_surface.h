@@ -19,12 +19,15 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Periodic_b_spline_surface_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Stereographic_sphere_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/surfaces/feature_lines.h>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <GeomAbs_Shape.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopoDS_Face.hxx>
+#include <array>
 #include <gp_Ax3.hxx>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
@@ -83,6 +86,19 @@ public:
     guarded([&] { m_adaptor.D2(u, v, p, du, dv, duu, dvv, duv); });
     return {to_point<Kernel>(p.XYZ()),    to_vector<Kernel>(du.XYZ()),  to_vector<Kernel>(dv.XYZ()),
             to_vector<Kernel>(duu.XYZ()), to_vector<Kernel>(duv.XYZ()), to_vector<Kernel>(dvv.XYZ())};
+  }
+
+  // Each piece that is smooth counts as a polynomial. (Lines that are not finite belong to no face.)
+  std::array<std::vector<double>, 2> feature_lines() const
+  {
+    const int degree = 4;
+    return guarded([&] {
+      TColStd_Array1OfReal ends_u(1, m_adaptor.NbUIntervals(GeomAbs_C2) + 1), ends_v(1, m_adaptor.NbVIntervals(GeomAbs_C2) + 1);
+      m_adaptor.UIntervals(ends_u, GeomAbs_C2);
+      m_adaptor.VIntervals(ends_v, GeomAbs_C2);
+      return std::array<std::vector<double>, 2>{polynomial_lines({ends_u.begin(), ends_u.end()}, degree),
+                                                polynomial_lines({ends_v.begin(), ends_v.end()}, degree)};
+    });
   }
 };
 

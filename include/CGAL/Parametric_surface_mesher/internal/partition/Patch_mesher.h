@@ -18,6 +18,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/measures/Criteria_with_own.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Patch_collector.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Patch_judgement.h>
+#include <CGAL/Parametric_surface_mesher/internal/refinement/Feature_search.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Patch_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Pole_ring.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Patch_evaluator.h>
@@ -118,7 +119,10 @@ public:
     });
     if(improve.has_smoothing() && !m_refine.is_stopped())
       in_phase("smoothing", m_report.seconds.improvement, [&] { improve.smooth(); });
-    in_phase("refinement", m_report.seconds.refinement, [&] { m_refine(Scope::WHOLE); });
+    in_phase("refinement", m_report.seconds.refinement, [&] {
+      m_refine(Scope::WHOLE);
+      refine_at_features();
+    });
     m_report.number_of_replaced_tensors += m_refine.number_of_replaced_tensors();
     m_report.number_of_work_limits += m_refine.number_of_work_limits();
     if(m_refine.is_stopped())
@@ -188,6 +192,18 @@ private:
       m_refine.advance_front(faces_along_boundary(m_triangulation));
     else
       m_refine.advance_front(m_triangulation.finite_face_handles());
+  }
+
+  // Features that the triangles miss are looked for until there is none.
+  void refine_at_features()
+  {
+    Feature_search<Evaluator> insert_at_features(m_triangulation, m_evaluator, m_criteria, m_surface.surface_in_domain(),
+                                                 m_boundary.box());
+    while(!m_refine.is_stopped() && insert_at_features()) {
+      m_refine(Scope::SHAPE);
+      m_refine(Scope::WHOLE);
+    }
+    m_report.number_of_replaced_tensors += insert_at_features.number_of_replaced_tensors();
   }
 
   // `run`: makes a triangulator triangulate

@@ -12,9 +12,11 @@
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Surface_jet_3.h>
 
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -107,6 +109,9 @@ public:
              p.point.radius * along, in_meridian_plane(p.first, outward),
              -p.point.radius * outward, p.first.radius * along, in_meridian_plane(p.second, outward) };
   }
+
+  /// none: lines and circles have no features.
+  std::array<std::vector<double>, 2> feature_lines() const { return {}; }
 
 private:
   Vector_3 in_meridian_plane(const Profile_point& p, const Vector_3& outward) const

@@ -10,6 +10,8 @@
 
 #include <CGAL/Surface_jet_3.h>
 
+#include <utility>
+
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
@@ -30,6 +32,12 @@ public:
 
   typename Geom_traits::Point_3 point(double u, double v) const { return m_surface->point(u, v); }
   Surface_jet_3<Geom_traits> jet(double u, double v) const { return m_surface->jet(u, v); }
+
+  template <class S = Surface>
+  auto feature_lines() const -> decltype(std::declval<const S&>().feature_lines())
+  {
+    return m_surface->feature_lines();
+  }
 };
 
 } // namespace internal
