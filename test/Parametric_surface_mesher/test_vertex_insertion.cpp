@@ -10,6 +10,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Domain_walk.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Star_of_point.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Transaction.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Vertex_insertion.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Vertex_removal.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/for_each_with_lookahead.h>
@@ -29,6 +30,9 @@
 #include <vector>
 
 namespace internal = CGAL::Parametric_surface_mesher::internal;
+using CGAL::Parametric_surface_mesher::Criterion_set;
+using CGAL::Parametric_surface_mesher::Mesh_criterion;
+using CGAL::Parametric_surface_mesher::Unmet_cause;
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_2 Point_2;
@@ -156,6 +160,61 @@ TEST(Work_limits, of_walks_and_stars)
   EXPECT_GT(number_cut_short, t.number_of_faces() / 10);
 }
 
+// A move, flips and the verdicts on all that they change are taken back, however often it is tried.
+TEST(Transaction, takes_back_all)
+{
+  Triangulation t;
+  add_square(t, at);
+  for(Face_handle face : t.finite_face_handles())
+    face->set_in_domain(true);
+  internal::Vertex_insertion<Triangulation> insertion(t);
+  Random_input random(3);
+  for(int n = 0; n < 100; ++n) {
+    const Point_2 p(random.dyadic(40), random.dyadic(40));
+    const Location location = internal::walk_in_domain(t, t.finite_faces_begin(), p);
+    if(location.kind == Location::IN_FACE)
+      insertion.insert_in_face(at(p), location.face);
+  }
+  std::vector<Face_handle> faces;
+  for(Face_handle face : t.finite_face_handles()) {
+    internal::Verdict verdict(faces.size() % 2 == 0 ? Criterion_set() : Mesh_criterion::ANGLE,
+                              internal::Scope::WHOLE);
+    if(verdict.fails())
+      verdict.refuse(Unmet_cause::SPACING);
+    face->set_verdict(verdict);
+    faces.push_back(face);
+  }
+  const Edges before = edges(t);
+  internal::Transaction<Triangulation> transaction;
+  transaction.begin(faces);
+  for(int attempt = 0; attempt < 2; ++attempt) {
+    std::size_t number_of_changes = 0;
+    for(Face_handle face : faces)
+      for(int i = 0; i < 3; ++i) {
+        if(face->is_constrained(i) || t.is_infinite(face->neighbor(i)))
+          continue;
+        const internal::Edge_flip<Triangulation> edge(t, face, i);
+        if(!edge.is_valid())
+          continue;
+        transaction.flip(edge);
+        const Vertex_handle vertex = face->vertex(0);
+        const Point_2 old_point = vertex->point().domain_point();
+        transaction.move(vertex, at(old_point + CGAL::Vector_2<Kernel>(1e-9, 0)));
+        ++number_of_changes;
+      }
+    EXPECT_GT(number_of_changes, 20u);
+    EXPECT_NE(before, edges(t));
+    transaction.roll_back();
+    EXPECT_EQ(before, edges(t));
+    for(std::size_t k = 0; k < faces.size(); ++k) {
+      const internal::Verdict verdict = faces[k]->verdict();
+      EXPECT_EQ(internal::Scope::WHOLE, verdict.scope());
+      EXPECT_EQ(k % 2 == 1, verdict.fails(Mesh_criterion::ANGLE));
+      EXPECT_EQ(k % 2 == 1, verdict.is_refused() && verdict.refusal() == Unmet_cause::SPACING);
+    }
+  }
+}
+
 // Inner vertices are taken out, in every second case after it was undone, until those of the square and a few others are
 // left.
 TEST(Vertex_removal, leaves_a_triangulation)
@@ -184,10 +243,12 @@ TEST(Vertex_removal, leaves_a_triangulation)
     if(vertex->is_on_boundary())
       continue;
     const Edges before = edges(t);
-    internal::Vertex_removal<Triangulation> removal(t, vertex);
+    internal::Transaction<Triangulation> transaction;
+    transaction.begin(std::vector<Face_handle>());
+    internal::Vertex_removal<Triangulation> removal(t, vertex, transaction);
     const bool is_possible = removal.cut_ears(metric, sine, 1e-6);
     if(!is_possible || number_of_removals % 2 == 0) {
-      removal.undo();
+      transaction.roll_back();
       EXPECT_EQ(before, edges(t));
     }
     if(is_possible && (number_of_removals % 2 == 1 || removal.cut_ears(metric, sine, 1e-6))) {

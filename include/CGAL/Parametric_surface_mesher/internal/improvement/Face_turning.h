@@ -10,7 +10,7 @@
 
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Vertex_star.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Edge_flip.h>
-#include <CGAL/Parametric_surface_mesher/internal/triangulation/Kept_states.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Transaction.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class Face_turning
   const Evaluator& m_evaluate;
   double m_squared_min_edge;
   Vertex_star<Triangulation, typename Evaluator::Oracle::Metric_field> m_star;
-  Kept_states<Face_handle> m_states;
+  Transaction<Triangulation> m_transaction;
   std::vector<Face_handle> m_changed;
   std::vector<Point_2> m_apices;
 
@@ -78,45 +78,43 @@ private:
       return;
     const auto faces = edge.faces();
     const std::size_t inverted = number_of_inverted(faces);
-    m_states.keep(faces);
-    edge.flip();
+    m_transaction.begin(faces);
+    m_transaction.flip(edge);
     if(number_of_inverted(faces) < inverted) {
       m_changed.assign(faces.begin(), faces.end());
       return;
     }
-    edge.undo();
-    m_states.give_back();
+    m_transaction.roll_back();
   }
 
   // Moves a vertex by shares of the ways to the apices of equilateral triangles over the edges of the star, and to their mean.
   void move(Vertex_handle vertex)
   {
     m_star.collect(vertex);
-    m_states.keep(m_star.faces());
+    m_transaction.begin(m_star.faces());
     m_star.apices(m_apices);
     const Point p = vertex->point();
     for(const Point_2& apex : m_apices)
       for(double share : {1., 0.5, 0.25, 0.1})
-        if(move(p, Point_2(p.x() + share * (apex.x() - p.x()), p.y() + share * (apex.y() - p.y())), vertex->spacing())) {
+        if(move(vertex, Point_2(p.x() + share * (apex.x() - p.x()), p.y() + share * (apex.y() - p.y())))) {
           m_star.unsettle_ring();
           m_changed = m_star.faces();
           return;
         }
   }
 
-  bool move(const Point& from, const Point_2& position, double spacing)
+  bool move(Vertex_handle vertex, const Point_2& position)
   {
     if(!m_star.is_around(position))
       return false;
-    const Point to = m_evaluate.position(position, spacing).point;
-    if(!m_star.is_far_enough(to, from, m_squared_min_edge))
+    const Point to = m_evaluate.position(position, vertex->spacing()).point;
+    if(!m_star.is_far_enough(to, vertex->point(), m_squared_min_edge))
       return false;
     const std::size_t inverted = number_of_inverted(m_star.faces());
-    m_star.try_at(to);
+    m_transaction.move(vertex, to);
     if(number_of_inverted(m_star.faces()) < inverted)
       return true;
-    m_star.try_at(from);
-    m_states.give_back();
+    m_transaction.roll_back();
     return false;
   }
 };

@@ -11,7 +11,7 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Better_place.h>
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Failure_count.h>
-#include <CGAL/Parametric_surface_mesher/internal/improvement/Star_trial.h>
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Guarded_change.h>
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Vertex_star.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Triangle_quality.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
@@ -46,7 +46,7 @@ class Patch_polishing
   Star m_star;
   Better_place<Evaluator, Star> m_better_place;
   const Failure_count m_number_of_failures;
-  Star_trial<Star, Failure_count> m_trial;
+  Guarded_change<Triangulation, Judge> m_change;
 
 public:
   // all vertices are looked at in the first sweep, later those around moves
@@ -55,7 +55,7 @@ public:
                   const Parametric_surface_mesh_criteria& criteria)
     : m_triangulation(triangulation), m_star(triangulation, evaluate.oracle().metric()),
       m_better_place(evaluate, m_star, criteria), m_number_of_failures(judge, criteria),
-      m_trial(m_star, m_number_of_failures)
+      m_change(m_number_of_failures)
   {
     for(Vertex_handle vertex : triangulation.finite_vertex_handles())
       vertex->set_settled(false);
@@ -73,7 +73,7 @@ public:
       if(vertex->is_on_boundary() || vertex->is_settled() || vertex->is_kept())
         return;
       m_star.collect(vertex);
-      const bool has_moved = move_if_better();
+      const bool has_moved = move_if_better(vertex);
       vertex->set_settled(!has_moved);
       if(has_moved)
         m_star.unsettle_ring();
@@ -83,26 +83,28 @@ public:
   }
 
 private:
-  bool move_if_better()
+  bool move_if_better(Vertex_handle vertex)
   {
     const Star_quality before = m_star.quality(Mean_ratio_and_angle());
     if(before.mean > quality_of_perfect_star)
       return false;
-    if(!before.is_good() && move_if_better(m_star.mean_of_apices(), before))
+    if(!before.is_good() && move_if_better(vertex, m_star.mean_of_apices(), before))
       return true;
     const Point_2 position = m_star.center().domain_point();
     const auto direction = m_star.spacing() * m_star.direction_of_ascent(Mean_ratio_and_angle());
-    return move_if_better(position + long_step * direction, before) || move_if_better(position + short_step * direction, before);
+    return move_if_better(vertex, position + long_step * direction, before)
+           || move_if_better(vertex, position + short_step * direction, before);
   }
 
-  bool move_if_better(const Point_2& target, const Star_quality& before)
+  bool move_if_better(Vertex_handle vertex, const Point_2& target, const Star_quality& before)
   {
     if(!m_better_place.is_found_at(target, before, Mean_ratio_and_angle()))
       return false;
-    m_trial.begin(before.squared_sine);
-    if(m_trial.move_to(m_better_place.point()))
+    m_change.begin(m_star.faces(), before.squared_sine);
+    m_change.transaction().move(vertex, m_better_place.point());
+    if(m_change.is_allowed(m_star.faces()))
       return true;
-    m_trial.give_up();
+    m_change.transaction().roll_back();
     return false;
   }
 };

@@ -11,11 +11,11 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Face_turning.h>
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Failure_count.h>
-#include <CGAL/Parametric_surface_mesher/internal/improvement/Star_trial.h>
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Guarded_change.h>
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Vertex_star.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Edge_flip.h>
-#include <CGAL/Parametric_surface_mesher/internal/triangulation/Kept_states.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Transaction.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Vertex_removal.h>
 #include <CGAL/number_utils.h>
@@ -77,10 +77,9 @@ class Patch_repair
   bool m_are_poor_few = true;       // of the faces
   const bool m_is_unfinished;       // for want of vertices: then none is taken out
   Star m_star;
-  Kept_states<Face_handle> m_states;
   Face_turning<Evaluator> m_turn_over;
   const Failure_count m_number_of_failures;
-  Star_trial<Star, Failure_count> m_trial;
+  Guarded_change<Triangulation, Judge> m_change;
   std::deque<Face_handle> m_queue;
   std::unordered_set<Face_handle> m_removed; // faces
   std::vector<Point_2> m_apices;
@@ -97,7 +96,7 @@ public:
       m_star(triangulation, evaluate.oracle().metric()),
       m_turn_over(triangulation, evaluate, m_squared_min_edge),
       m_number_of_failures(judge, criteria),
-      m_trial(m_star, m_number_of_failures)
+      m_change(m_number_of_failures)
   {}
 
   // it refers to itself
@@ -259,22 +258,20 @@ private:
   {
     if(face->is_constrained(i))
       return false;
-    Edge_flip<Triangulation> edge(m_triangulation, face, i);
+    const Edge_flip<Triangulation> edge(m_triangulation, face, i);
     const auto& metric = m_evaluate.oracle().metric();
     const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
     const double worst = edge.worst_before(metric, sine);
     if(!(edge.worst_after(metric, sine) > m_least_gain * worst) || !edge.is_valid())
       return false;
     const auto faces = edge.faces();
-    const Failures failures = m_number_of_failures(faces, worst);
-    m_states.keep(faces);
-    edge.flip();
-    if(!m_number_of_failures(faces, worst, failures).are_more_than(failures)) {
+    m_change.begin(faces, worst);
+    m_change.transaction().flip(edge);
+    if(m_change.is_allowed(faces)) {
       add_around(faces);
       return true;
     }
-    edge.undo();
-    m_states.give_back();
+    m_change.transaction().roll_back();
     return false;
   }
 
@@ -285,20 +282,25 @@ private:
     const Point old_point = vertex->point();
     const double old_sine = m_star.squared_smallest_sine(old_point), least = m_least_gain * old_sine;
     collect_candidates(vertex, least, shares);
-    m_trial.begin(old_sine);
+    bool has_begun = false;
     for(const Candidate& candidate : m_candidates) {
       if(!m_star.is_around(candidate.position))
         continue;
       const Point point = m_evaluate.position(candidate.position, vertex->spacing()).point;
       if(!(m_star.squared_smallest_sine(point, least) > least) || !m_star.is_far_enough(point, old_point, m_squared_min_edge))
         continue;
-      if(m_trial.move_to(point)) {
+      if(!has_begun)
+        m_change.begin(m_star.faces(), old_sine);
+      has_begun = true;
+      m_change.transaction().move(vertex, point);
+      if(m_change.is_allowed(m_star.faces())) {
         m_star.unsettle_ring();
         add_around(m_star.faces());
         return true;
       }
     }
-    m_trial.give_up();
+    if(has_begun)
+      m_change.transaction().roll_back();
     return false;
   }
 
@@ -306,29 +308,26 @@ private:
   {
     m_star.collect(vertex);
     const double worst = m_star.squared_smallest_sine(vertex->point());
-    const Failures failures = m_number_of_failures(m_star.faces(), worst);
-    m_states.keep(m_star.faces());
+    m_change.begin(m_star.faces(), worst);
     const auto sine = [](const std::array<double, 3>& lengths) { return face_measures(lengths).squared_smallest_sine; };
-    Vertex_removal<Triangulation> removal(m_triangulation, vertex);
+    Vertex_removal<Triangulation> removal(m_triangulation, vertex, m_change.transaction());
     if(removal.cut_ears(m_evaluate.oracle().metric(), sine, m_least_gain * worst)
-       && is_better_without(vertex, removal, worst, failures)) {
+       && is_better_without(vertex, removal, worst)) {
       remove(vertex, removal);
       return true;
     }
-    removal.undo();
-    m_states.give_back();
+    m_change.transaction().roll_back();
     return false;
   }
 
   // \pre three faces are left at the vertex
-  bool is_better_without(Vertex_handle vertex, Vertex_removal<Triangulation>& removal, double worst,
-                         const Failures& failures) const
+  bool is_better_without(Vertex_handle vertex, Vertex_removal<Triangulation>& removal, double worst) const
   {
     std::vector<Face_handle> faces = faces_without(vertex);
     return removal.with_last_face([&](Face_handle last) {
       faces.push_back(last);
       return !is_collapsed(last) && !m_turn_over.is_inverted(last) && squared_sine(last) > m_least_gain * worst
-             && !m_number_of_failures(faces, worst, failures).are_more_than(failures);
+             && m_change.is_allowed(faces);
     });
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Vertex_star.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Edge_flip.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Transaction.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -51,6 +52,8 @@ class Valence_equalization
   const Star_limits m_limits;
   Vertex_star<Triangulation, typename Evaluator::Oracle::Metric_field> m_star;
   std::vector<Neighbor> m_ring;
+  std::vector<Face_handle> m_faces;
+  Transaction<Triangulation> m_transaction;
 
 public:
   Valence_equalization(Triangulation& triangulation, const Evaluator& evaluate,
@@ -94,13 +97,13 @@ private:
     int i = 0;
     CGAL_assertion_code(const bool is_edge =) m_triangulation.is_edge(vertices[0], vertices[1], face, i);
     CGAL_assertion(is_edge);
-    Edge_flip<Triangulation> edge(m_triangulation, face, i);
+    const Edge_flip<Triangulation> edge(m_triangulation, face, i);
     if(!edge.is_valid())
       return false;
+    m_faces.clear();
     const Star_shape before = shape(vertices);
-    const std::array<Point, 4> points{vertices[0]->point(), vertices[1]->point(), vertices[2]->point(),
-                                      vertices[3]->point()};
-    edge.flip();
+    m_transaction.begin(m_faces);
+    m_transaction.flip(edge);
     for(Vertex_handle vertex : vertices)
       move(vertex);
     const Star_shape after = shape(vertices);
@@ -109,9 +112,7 @@ private:
       unsettle(vertices);
       return true;
     }
-    for(std::size_t k = 0; k < vertices.size(); ++k)
-      move_to(points[k], vertices[k]);
-    edge.undo();
+    m_transaction.roll_back();
     return false;
   }
 
@@ -125,13 +126,7 @@ private:
       return;
     const Point point = m_evaluate.position(target, vertex->spacing()).point;
     if(!m_star.is_inverted(point, m_evaluate.oracle()))
-      m_star.try_at(point);
-  }
-
-  void move_to(const Point& point, Vertex_handle vertex)
-  {
-    m_star.collect(vertex);
-    m_star.try_at(point);
+      m_transaction.move(vertex, point);
   }
 
   void unsettle(const Quadrilateral& vertices)
@@ -142,12 +137,13 @@ private:
     }
   }
 
-  // The worst measures among all four stars, with the mean of their mean qualities.
+  // The worst measures among all four stars, with the mean of their mean qualities. Their faces are collected.
   Star_shape shape(const Quadrilateral& vertices)
   {
     Star_shape result;
     for(Vertex_handle vertex : vertices) {
       m_star.collect(vertex);
+      m_faces.insert(m_faces.end(), m_star.faces().begin(), m_star.faces().end());
       const Star_shape shape = m_star.shape(vertex->point());
       result.quality.squared_sine = (std::min)(result.quality.squared_sine, shape.quality.squared_sine);
       result.quality.mean += shape.quality.mean / double(vertices.size());

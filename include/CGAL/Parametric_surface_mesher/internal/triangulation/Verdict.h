@@ -44,8 +44,8 @@ public:
   bool fails() const { return !m_failed.empty(); }
   bool fails(Mesh_criterion criterion) const { return m_failed.contains(criterion); }
 
-  // Whether it was judged by all criteria of a scope, and fails none.
-  bool meets(Scope scope) const { return m_failed.empty() && this->scope() >= scope; }
+  // Whether it was judged by all criteria of the required scope, and fails none.
+  bool meets(Scope required) const { return m_failed.empty() && scope() >= required; }
 
   bool is_refused() const { return m_refusal != 0; }
   Unmet_cause refusal() const

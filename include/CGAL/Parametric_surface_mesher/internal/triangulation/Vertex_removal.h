@@ -9,6 +9,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_TRIANGULATION_VERTEX_REMOVAL_H
 
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Edge_flip.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/Transaction.h>
 
 #include <array>
 #include <cstddef>
@@ -19,7 +20,7 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // Removes an inner vertex: edges at it are flipped away, the one with the best ear first, until three triangles are left, which
-// become one. Until then everything can be undone.
+// become one. Until then the transaction can be rolled back.
 template <class Triangulation>
 class Vertex_removal
 {
@@ -28,10 +29,13 @@ class Vertex_removal
 
   Triangulation& m_triangulation;
   Vertex_handle m_vertex;
-  std::vector<Edge_flip<Triangulation>> m_flips;
+  Transaction<Triangulation>& m_transaction;
 
 public:
-  Vertex_removal(Triangulation& triangulation, Vertex_handle vertex) : m_triangulation(triangulation), m_vertex(vertex) {}
+  // `transaction`: the flips are part of it, and are taken back with it
+  Vertex_removal(Triangulation& triangulation, Vertex_handle vertex, Transaction<Triangulation>& transaction)
+    : m_triangulation(triangulation), m_vertex(vertex), m_transaction(transaction)
+  {}
 
   // Flips until three triangles are left and all others have a quality above `bound`; returns whether this was possible.
   template <class MetricField, class Quality>
@@ -71,12 +75,6 @@ public:
     return result;
   }
 
-  void undo()
-  {
-    for(; !m_flips.empty(); m_flips.pop_back())
-      m_flips.back().undo();
-  }
-
   // Replaces the last three triangles by one, which is returned, and deletes the vertex.
   Face_handle remove()
   {
@@ -105,8 +103,7 @@ private:
     }
     if(best == Face_handle())
       return false;
-    m_flips.push_back(flip_of_spoke(best));
-    m_flips.back().flip();
+    m_transaction.flip(flip_of_spoke(best));
     return true;
   }
 
