@@ -3,7 +3,9 @@
 //
 // A tin, built from vertices, edges and faces: a side that closes on itself along a seam, and two round lids. Its mesh is
 // closed.
+#include <CGAL/Any_parametric_surface_3.h>
 #include <CGAL/Parametric_function_surface_3.h>
+#include <CGAL/Parametric_primitive_surfaces_3.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/make_parametric_surface_mesh.h>
@@ -19,38 +21,23 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 const double turn = 8 * std::atan(1.), height = 1.5;
 
-// The faces of a model have surfaces of one type: here the side, and a lid at some height, as one class.
-class Surface_of_tin
+// The faces of a model have surfaces of one type: one that holds any surface.
+typedef CGAL::Any_parametric_surface_3<Kernel> Surface;
+
+const Surface side = CGAL::make_parametric_function_surface([](auto u, auto v) {
+  using std::cos;
+  using std::sin;
+  return CGAL::parametric_surface_point(cos(u), sin(u), v);
+});
+
+Surface lid(double h)
 {
-public:
-  typedef Kernel Geom_traits;
-
-private:
-  double m_lid_height; // negative for the side
-
-public:
-  explicit Surface_of_tin(double lid_height = -1) : m_lid_height(lid_height) {}
-
-  Kernel::Point_3 point(double u, double v) const { return jet(u, v).point; }
-
-  CGAL::Surface_jet_3<Kernel> jet(double u_value, double v_value) const
-  {
-    const double h = m_lid_height;
-    if(h >= 0)
-      return CGAL::make_parametric_function_surface([h](auto u, auto v) {
-        return CGAL::parametric_surface_point(u, v, h);
-      }).jet(u_value, v_value);
-    return CGAL::make_parametric_function_surface([](auto u, auto v) {
-      using std::cos;
-      using std::sin;
-      return CGAL::parametric_surface_point(cos(u), sin(u), v);
-    }).jet(u_value, v_value);
-  }
-};
+  return CGAL::Parametric_plane_3<Kernel>(Kernel::Point_3(0, 0, h), {1, 0, 0}, {0, 1, 0});
+}
 
 int main()
 {
-  typedef CGAL::Parametric_surface_model_3<Surface_of_tin> Model;
+  typedef CGAL::Parametric_surface_model_3<Surface> Model;
   typedef Model::Curve Curve;
   typedef Kernel::Point_2 Point_2;
 
@@ -61,7 +48,7 @@ int main()
 
   // The side: once around, up the seam, back around, down the seam. All uses of an edge have the same parameters along it.
   const Point_2 a(0, 0), b(turn, 0), c(turn, height), d(0, height);
-  model.add_face({Surface_of_tin(),
+  model.add_face({side,
                   {{{bottom, false, Curve::segment(a, b)},
                     {seam, false, Curve::segment(b, c)},
                     {top, true, Curve::segment(d, c)},
@@ -72,8 +59,8 @@ int main()
     using std::sin;
     return std::make_pair(cos(turn * t), sin(turn * t));
   }, 0, 1);
-  model.add_face({Surface_of_tin(0), {{{bottom, false, circle}}}});
-  model.add_face({Surface_of_tin(height), {{{top, false, circle}}}});
+  model.add_face({lid(0), {{{bottom, false, circle}}}});
+  model.add_face({lid(height), {{{top, false, circle}}}});
   CGAL::Parametric_surface_mesher::orient_faces(model); // the lower lid is turned over: a closed model faces outward
 
   Mesh mesh;

@@ -39,8 +39,8 @@ same functions of the same parameters, without virtual calls. Periodic surfaces 
 surfaces (offsets, extrusions, surfaces of revolution) are evaluated by Open CASCADE; an exception that it throws becomes a
 `Parametric_surface_mesh_error`.
 
-Copies share the surface. Open CASCADE keeps caches in its own surfaces: copies must not be evaluated by several threads at
-a time if `is_evaluated_by_open_cascade()`.
+Copies share a surface of this package. Open CASCADE keeps caches in its own surfaces: if `is_evaluated_by_open_cascade()`,
+a copy has a surface of its own, so that copies can be evaluated by several threads at the same time; one object cannot.
 
 \cgalModels `ParametricSurface_3`
 */
@@ -73,6 +73,16 @@ public:
   }
 
   /// @cond SKIP_IN_MANUAL
+  Open_cascade_surface_3(const Open_cascade_surface_3& other)
+    : m_surface(other.is_evaluated_by_open_cascade() ? std::make_shared<const Any_surface>(*other.m_surface) : other.m_surface),
+      m_period_u(other.m_period_u), m_period_v(other.m_period_v)
+  {}
+
+  Open_cascade_surface_3(Open_cascade_surface_3&&) = default;
+
+  Open_cascade_surface_3& operator=(const Open_cascade_surface_3& other) { return *this = Open_cascade_surface_3(other); }
+  Open_cascade_surface_3& operator=(Open_cascade_surface_3&&) = default;
+
   // another parametrisation of the same surface, without periods
   template <class Surface>
   static Open_cascade_surface_3 reparametrized(const Surface& surface)

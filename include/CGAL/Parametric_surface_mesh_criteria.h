@@ -202,7 +202,8 @@ public:
     return *this;
   }
 
-  /// the largest number of vertices of each patch, a guard against meshes too large for the machine. Default: 20 million.
+  /// the largest number of vertices, a guard against meshes too large for the machine. Each face of a model may have as many as
+  /// those before it have left; a large one shares them out among its parts. Default: 20 million.
   Parametric_surface_mesh_criteria& set_max_number_of_vertices(std::size_t n)
   {
     m_execution.max_number_of_vertices = n;

@@ -81,6 +81,8 @@ struct Parametric_surface_mesh_report
   /// over the triangles but those whose angle is too small because of the boundary
   double smallest_angle_off_boundary = 180;
   std::vector<Unmet> unmet;                ///< every triangle that fails a criterion
+  /// whether the visitor has stopped meshing before it was done
+  bool is_stopped = false;
   std::vector<Left_out_face> left_out;     ///< faces of the model that could not be meshed, by their indices
   Seconds seconds;
 

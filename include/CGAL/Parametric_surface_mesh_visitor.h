@@ -23,14 +23,15 @@ The default visitor of the meshing functions, which does nothing. Derive from it
 */
 struct Parametric_surface_mesh_visitor
 {
-  /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"improvement"`, `"output"`.
+  /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"smoothing"`, `"improvement"`,
+  /// `"polishing"`, `"output"`.
   void on_phase(const char* /* name */) {}
 
   /// called during refinement, once for some hundred new vertices, with the number of vertices so far and an upper bound
   /// of the number of triangles still waiting.
   void on_progress(std::size_t /* number_of_vertices */, std::size_t /* number_of_bad_faces */) {}
 
-  /// asked as often as `on_progress()` is called; `false` ends the refinement with the valid mesh of that moment.
+  /// asked in all phases, every few milliseconds; `false` stops meshing, with the valid mesh of that moment.
   bool go_further() { return true; }
 };
 

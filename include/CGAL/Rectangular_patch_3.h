@@ -11,6 +11,7 @@
 #include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/surfaces/are_copies_independent.h>
 #include <CGAL/Surface_jet_3.h>
 
 #include <algorithm>
@@ -63,6 +64,9 @@ public:
   double u_max() const { return m_u_max; }
   double v_min() const { return m_v_min; }
   double v_max() const { return m_v_max; }
+
+  /// as those of the whole surface; see `ParametricSurface_3`.
+  bool has_independent_copies() const { return Parametric_surface_mesher::internal::are_copies_independent(m_surface); }
 
   /// `S(u,v)`
   Point_3 point(double u, double v) const { return m_surface.point(u, v); }

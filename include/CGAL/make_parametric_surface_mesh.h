@@ -18,14 +18,17 @@
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesh_visitor.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/check_types.h>
-#include <CGAL/Parametric_surface_mesher/internal/driver/leave_out_bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/mesh_model.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/with_good_faces.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Criteria_with_own.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/model_of_patch.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Face_graph_filler.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Output_maps.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/separate_pieces.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Checked_metric_field_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Phase_timer.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Parametric_surface_mesher/validate.h>
 
@@ -84,6 +87,12 @@ void output(Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParameters&
     mesh, tm, make_output_maps(vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map));
 }
 
+template <class NamedParameters>
+bool leaves_out_bad_faces(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, Leaves_out_bad_faces_t()), false);
+}
+
 // The criteria with that of the user, if there is one.
 inline const Parametric_surface_mesh_criteria& with_own_criterion(const Parametric_surface_mesh_criteria& criteria,
                                                                   internal_np::Param_not_found)
@@ -99,7 +108,8 @@ Criteria_with_own<Criterion> with_own_criterion(const Parametric_surface_mesh_cr
 
 // Meshes a model and hands the result over to `finish`, with the division. `Numbering` orders the points of the division.
 template <class ConcurrencyTag, class Model, class NamedParameters, class Numbering, class Finish>
-Parametric_surface_mesh_report mesh_model(const Model& model, const Parametric_surface_mesh_criteria& given_criteria,
+Parametric_surface_mesh_report mesh_model(const Model& model, Bad_faces& bad_faces,
+                                          const Parametric_surface_mesh_criteria& given_criteria,
                                           const NamedParameters& np, bool keeps_domain_points, bool keeps_corner_points, Numbering number_points,
                                           Finish finish)
 {
@@ -109,19 +119,18 @@ Parametric_surface_mesh_report mesh_model(const Model& model, const Parametric_s
   const auto metric
     = checked_metric_field(choose_parameter(get_parameter(np, Metric_field_t()), First_fundamental_form_metric_2<Kernel>()));
   auto given_visitor = choose_parameter(get_parameter(np, internal_np::visitor), Parametric_surface_mesh_visitor());
-  auto& visitor = unwrap(given_visitor);
+  Mesh_progress progress(unwrap(given_visitor));
 
   const auto& criteria = with_own_criterion(given_criteria, get_parameter(np, Triangle_criterion_t()));
   Parametric_surface_mesh_report report;
-  auto mesher = make_model_mesher(model, criteria, metric, visitor, report);
+  auto mesher = make_model_mesher(model, criteria, metric, progress, bad_faces, report);
   auto division = mesher.divide();
-  number_points(division);
   Indexed_mesh<Kernel> mesh;
   mesh.keeps_domain_points = keeps_domain_points;
   mesh.keeps_corner_points = keeps_corner_points;
-  mesher.template mesh_faces<ConcurrencyTag>(division, mesh);
+  mesher.template mesh_faces<ConcurrencyTag>(division, number_points, mesh);
   Phase_timer timer(report.seconds.output);
-  visitor.on_phase("output");
+  progress.on_phase("output");
   finish(division, mesh);
   report.number_of_vertices = mesh.number_of_points();
   return report;
@@ -129,11 +138,11 @@ Parametric_surface_mesh_report mesh_model(const Model& model, const Parametric_s
 
 // Meshes a model into a face graph.
 template <class ConcurrencyTag, class Model, class TriangleMesh, class NamedParameters, class Numbering>
-Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& model,
+Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& model, Bad_faces& bad_faces,
                                                const Parametric_surface_mesh_criteria& criteria,
                                                const NamedParameters& np, Numbering number_points)
 {
-  return mesh_model<ConcurrencyTag>(model, criteria, np, wants_domain_points<NamedParameters>(),
+  return mesh_model<ConcurrencyTag>(model, bad_faces, criteria, np, wants_domain_points<NamedParameters>(),
                                     wants_corner_points<NamedParameters>(), number_points,
                                     [&](const auto& division, auto& mesh) {
                                       separate_pieces<ConcurrencyTag>(mesh, shells(model), division.meeting_points());
@@ -223,9 +232,11 @@ make_parametric_surface_mesh(const Surface& surface, const Parametric_domain_2<K
                              TriangleMesh& tm, const NamedParameters& np = parameters::default_values())
 {
   using namespace Parametric_surface_mesher::internal;
-  if constexpr(check_surface<Surface, Kernel>() && check_options<Criteria, NamedParameters>())
-    return mesh_model_into<ConcurrencyTag>(tm, model_of_patch(surface, domain), criteria, np,
+  if constexpr(check_surface<Surface, Kernel>() && check_options<Criteria, NamedParameters>()) {
+    Bad_faces bad_faces(false);
+    return mesh_model_into<ConcurrencyTag>(tm, model_of_patch(surface, domain), bad_faces, criteria, np,
                                            [](auto& division) { division.number_along_edges(); });
+  }
   else
     return {};
 }
@@ -248,11 +259,11 @@ at the end of the vertices. So the mesh is always manifold; for triangles that s
 The model is checked by `Parametric_surface_mesher::validate()` first.
 
 \tparam ConcurrencyTag `Sequential_tag` (default), `Parallel_tag` or `Parallel_if_available_tag`. With threads the faces are
-meshed at the same time, the largest first, and so are the parts of large ones; the mesh is the same. It takes oneTBB
-(as for other CGAL packages, link with the target `CGAL::TBB_support`), surfaces and a sizing field that can be
-evaluated by several threads at a time, and the memory for the triangulations of as many faces as there are threads,
-of all split ones, and of those with an inner edge between two boundary vertices that another face has, too. A visitor is
-called by one thread at a time.
+meshed at the same time, the largest first, and so are the parts of large ones; the mesh is the same, bit by bit. It takes oneTBB
+(as for other CGAL packages, link with the target `CGAL::TBB_support`), and the memory for the triangulations of as many faces
+as there are threads, and of those with an inner edge between two boundary vertices that another face has, too. Surfaces are
+evaluated by several threads as `ParametricSurface_3` tells. Each face, and each part of one, has copies of the sizing field
+and of a criterion of the user: what they refer to must bear several threads. A visitor is called by one thread at a time.
 \tparam Surface a model of `ParametricSurface_3`
 
 Criteria, mesh, named parameters, report and exceptions are as above; in addition:
@@ -265,7 +276,8 @@ Criteria, mesh, named parameters, report and exceptions are as above; in additio
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{leaves_out_bad_faces}
-    \cgalParamDescription{whether a face that cannot be meshed is left out and reported, in place of an exception}
+    \cgalParamDescription{whether a face that cannot be meshed is left out and reported, in place of an exception. Edges that
+                          it shares with others may have been divided with a look at its sizes, too.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -279,8 +291,8 @@ make_parametric_surface_mesh(const Parametric_surface_model_3<Surface>& model, c
 {
   using namespace Parametric_surface_mesher::internal;
   if constexpr(check_surface<Surface, typename Surface::Geom_traits>() && check_options<Criteria, NamedParameters>())
-    return mesh_valid_model(model, np, [&](const auto& valid_model) {
-      return mesh_model_into<ConcurrencyTag>(tm, valid_model, criteria, np,
+    return with_good_faces(model, leaves_out_bad_faces(np), [&](const auto& checked_model, Bad_faces& bad_faces) {
+      return mesh_model_into<ConcurrencyTag>(tm, checked_model, bad_faces, criteria, np,
                                              [](auto& division) { division.number_vertices_first(); });
     });
   else

@@ -85,8 +85,8 @@ make_parametric_surface_triangle_soup(const Parametric_surface_model_3<Surface>&
   using namespace Parametric_surface_mesher::internal;
   if constexpr(check_surface<Surface, typename Surface::Geom_traits>()
                && check_options<Parametric_surface_mesh_criteria, NamedParameters>())
-    return mesh_valid_model(model, np, [&](const auto& valid_model) {
-      return mesh_model<ConcurrencyTag>(valid_model, criteria, np, false, false,
+    return with_good_faces(model, leaves_out_bad_faces(np), [&](const auto& checked_model, Bad_faces& bad_faces) {
+      return mesh_model<ConcurrencyTag>(checked_model, bad_faces, criteria, np, false, false,
                                         [](auto& division) { division.number_vertices_first(); },
                                         [&](const auto&, const auto& mesh) {
                                           fill_triangle_soup<ConcurrencyTag>(mesh, points, triangles, patch_ids);

@@ -10,6 +10,11 @@ The derivatives must be those of `point()`. The mesher compares them with differ
 and refuses a surface that contradicts itself with a `CGAL::Parametric_surface_mesh_error` that names the parameter values,
 the derivative and what it ought to be. Creases, poles and rounding errors contradict nothing.
 
+Surfaces are copied. An object is evaluated by one thread at a time: with threads, and without, each face that is meshed, and
+each part of a large one, has a copy of its own, made when no other thread evaluates the original. So a surface may remember
+what it has computed, as long as its copies do not share that. One whose copies share something that an evaluation changes
+has a function `has_independent_copies()` that returns `false`; then faces with such surfaces are meshed one after the other.
+
 A surface need not check its arguments. A value that is not finite is found by the
 mesher and refused with a `CGAL::Parametric_surface_mesh_error` that names the parameter values.
 
@@ -22,12 +27,17 @@ mesher and refused with a `CGAL::Parametric_surface_mesh_error` that names the p
 \cgalHasModel `CGAL::Bezier_surface_3<Kernel>`
 \cgalHasModel `CGAL::B_spline_surface_3<Kernel>`
 \cgalHasModel `CGAL::Open_cascade_surface_3`
+\cgalHasModel `CGAL::Any_parametric_surface_3<Kernel>`
 */
 class ParametricSurface_3
 {
 public:
   /// the kernel of the points and vectors: a model of `Kernel` with `double` as number type.
   typedef unspecified_type Geom_traits;
+
+  /// tells whether the surface and its copies can be evaluated by several threads at the same time, each object by one of
+  /// them. This function is optional; surfaces without it are taken to have independent copies.
+  bool has_independent_copies() const;
 
   /// `S(u,v)`
   Geom_traits::Point_3 point(double u, double v) const;

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Parametric_surface_mesher.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/curve_box.h>
@@ -22,7 +23,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -52,29 +55,93 @@ public:
     : m_model(model), m_is_any_face_left_out(is_any_face_left_out)
   {}
 
+  // Throws the first error that is found.
   void operator()()
+  {
+    const auto throw_on = [](const Parametric_surface_mesh_error& error) { throw error; };
+    check_elements();
+    check_loops(throw_on);
+    check_uses(throw_on);
+  }
+
+  // What no face can do without.
+  void check_elements() const
   {
     if(m_model.faces().empty())
       throw Parametric_surface_mesh_error("the model has no faces");
     check_vertices();
     for(std::size_t e = 0; e < m_model.edges().size(); ++e)
       check_edge(e);
-    const Uses uses(m_model);
+  }
+
+  // Each face for itself. `on_error`: takes an error of each bad face; if it returns, the others are checked
+  template <class OnError>
+  void check_loops(const OnError& on_error) const
+  {
     for(std::size_t f = 0; f < m_model.faces().size(); ++f)
-      about_face(f, [&] {
+      check_face(f, on_error, [&] {
         check_length("wanted edge length", m_model.faces()[f].max_edge, numbered("face", f));
         for(std::size_t l = 0; l < number_of_loops(f); ++l)
           check_loop(f, l);
       });
-    m_tolerance = m_model.tolerance() > 0 ? m_model.tolerance() : 1e-6 * model_diagonal(m_model);
-    for(std::size_t e : uses.order()) {
-      for(const auto& use : uses[e])
-        about_face(use.face, [&] { check_use(use.face, *use.use, uses[e].front().face, *uses[e].front().use); });
-      check_orientation(e, uses);
-    }
+  }
+
+  // The faces with each other. `on_error`: as above; the others are checked as if the bad face were not there
+  // \pre the loops are good
+  template <class OnError>
+  void check_uses(const OnError& on_error)
+  {
+    Uses uses(m_model);
+    Bbox_3 box;
+    const auto leave_out = [&](const Parametric_surface_mesh_error& error) {
+      uses.leave_out(error.face().value()); // while its loops are there: `on_error` may take them away
+      on_error(error);
+    };
+    for(std::size_t f = 0; f < m_model.faces().size(); ++f)
+      check_face(f, leave_out, [&] { box += boundary_box(m_model, f); });
+    m_tolerance = m_model.tolerance() > 0 ? m_model.tolerance() : 1e-6 * diagonal(box);
+    const std::vector<std::size_t> order = uses.order();
+    std::vector<std::size_t> places(m_model.edges().size()); // of the edges in the order
+    for(std::size_t i = 0; i < order.size(); ++i)
+      places[order[i]] = i;
+    std::set<std::size_t> left; // places of edges that are to be checked
+    for(std::size_t i = 0; i < order.size(); ++i)
+      left.insert(left.end(), i);
+    while(!left.empty())
+      try {
+        check_uses_of_edge(order[*left.begin()], uses);
+        left.erase(left.begin());
+      }
+      catch(const Parametric_surface_mesh_error& error) {
+        // its edges may have another first use now
+        for(const auto& loop : m_model.faces()[error.face().value()].loops)
+          for(const Edge_use& use : loop)
+            left.insert(places[use.edge]);
+        leave_out(error);
+      }
   }
 
 private:
+  // Calls `check`; an error that it throws goes to `on_error`, with the number of the face.
+  template <class OnError, class Check>
+  static void check_face(std::size_t face, const OnError& on_error, const Check& check)
+  {
+    try {
+      about_face(face, check);
+    }
+    catch(const Parametric_surface_mesh_error& error) {
+      on_error(error);
+    }
+  }
+
+  // \pre errors tell the face
+  void check_uses_of_edge(std::size_t e, const Uses& uses) const
+  {
+    for(const auto& use : uses[e])
+      about_face(use.face, [&] { check_use(use.face, *use.use, uses[e].front().face, *uses[e].front().use); });
+    check_orientation(e, uses);
+  }
+
   void check_vertices() const
   {
     for(std::size_t v = 0; v < m_model.vertices().size(); ++v) {
@@ -111,6 +178,7 @@ private:
     const std::string place = numbered("face", f) + ", " + numbered("loop", l);
     if(loop.empty())
       throw Parametric_surface_mesh_error(place + " has no edge");
+    check_edge_numbers(m_model, f, l);
     for(const Edge_use& use : loop)
       for(const auto& end : {use.curve.source(), use.curve.target()})
         if(!std::isfinite(end.x()) || !std::isfinite(end.y()))

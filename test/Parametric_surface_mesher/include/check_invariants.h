@@ -25,9 +25,10 @@ Boundary_loops division(const Surface& surface, const Domain& domain, const Crit
   using namespace CGAL::Parametric_surface_mesher::internal;
   const CGAL::First_fundamental_form_metric_2<Test_kernel> metric;
   const auto model = model_of_patch(surface, domain);
-  CGAL::Parametric_surface_mesh_visitor visitor;
+  Mesh_progress progress;
+  Bad_faces bad_faces(false);
   Report report;
-  auto divided = make_model_mesher(model, criteria, metric, visitor, report).divide();
+  auto divided = make_model_mesher(model, criteria, metric, progress, bad_faces, report).divide();
   divided.number_along_edges();
   return divided.boundary_loops(0);
 }

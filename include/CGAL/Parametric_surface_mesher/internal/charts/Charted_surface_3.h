@@ -21,7 +21,7 @@ namespace internal {
 
 // A surface in the coordinates of a chart: a model of `ParametricSurface_3`. Computing a domain point from a chart point costs
 // as much as an evaluation of the surface, and callers ask for the same point several times; therefore the last domain point
-// and the last jet are remembered. An object must be used by one thread only.
+// and the last jet are remembered. An object must be used by one thread only; it has a copy of the surface.
 template <class Surface>
 class Charted_surface_3
 {
@@ -33,7 +33,7 @@ public:
   typedef Patch_chart_2<Geom_traits> Chart;
 
 private:
-  const Surface& m_surface;
+  Surface m_surface;
   Chart m_chart;
   mutable Last_value<Point_2, Point_2> m_domain_point;
   mutable Last_value<Point_2, Surface_jet_3<Geom_traits>> m_domain_jet;

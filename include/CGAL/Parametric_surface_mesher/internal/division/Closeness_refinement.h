@@ -15,6 +15,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/division/Strip_staggering.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Triangulated_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,30 +72,32 @@ class Closeness_refinement
   const Parametric_surface_mesh_criteria& m_criteria;
   std::vector<Boundary>& m_boundaries; // by face
   Crossing_refinement<Oracle>& m_refine_crossings;
+  Patch_progress& m_progress;
   std::set<std::size_t> m_faces_with_strips; // those narrower than pieces that cannot be halved
 
 public:
   // `boundaries` has the boundary of each face; these are kept up to date with the division. `refine_crossings` is called
   // whenever the division has changed: pieces may cross then, and only those that do not can be triangulated.
   Closeness_refinement(Division& division, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria,
-                       std::vector<Boundary>& boundaries, Crossing_refinement<Oracle>& refine_crossings)
+                       std::vector<Boundary>& boundaries, Crossing_refinement<Oracle>& refine_crossings,
+                       Patch_progress& progress)
     : m_division(division), m_oracles(oracles), m_criteria(criteria), m_boundaries(boundaries),
-      m_refine_crossings(refine_crossings)
+      m_refine_crossings(refine_crossings), m_progress(progress)
   {
     m_boundaries.resize(oracles.size());
   }
 
-  // Returns the number of pieces that were halved.
+  // Returns the number of pieces that were halved. After a stop the division stays as it is.
   std::size_t operator()()
   {
     std::size_t number_of_splits = 0;
     std::vector<std::size_t> faces(m_oracles.size());
     std::iota(faces.begin(), faces.end(), 0);
-    for(int round = 0; round < max_number_of_rounds && !faces.empty(); ++round) {
+    for(int round = 0; round < max_number_of_rounds && !faces.empty() && m_progress.go_further(); ++round) {
       std::set<Piece> pieces;
       for(std::size_t face : faces)
-        if(!m_division.model().faces()[face].loops.empty())
-          with_name_of_face(m_division.model(), face, [&] { collect(face, pieces); });
+        if(m_progress.go_further())
+          is_done_for(face, [&] { collect(face, pieces); });
       for(auto piece = pieces.begin(); piece != pieces.end();)
         piece = m_division.is_kept(*piece) ? pieces.erase(piece) : std::next(piece);
       number_of_splits += pieces.size();
@@ -108,13 +111,20 @@ public:
   }
 
 private:
+  template <class Function>
+  bool is_done_for(std::size_t face, const Function& function)
+  {
+    return m_division.is_done_for(face, [&] { with_name_of_face(m_division.model(), face, function); });
+  }
+
   void divide_strips()
   {
     std::set<std::size_t> done; // edges
-    for(std::size_t face : m_faces_with_strips) {
-      with_name_of_face(m_division.model(), face, [&] { done.merge(divide_strips(face, done)); });
-      m_refine_crossings();
-    }
+    for(std::size_t face : m_faces_with_strips)
+      if(m_progress.go_further()) {
+        is_done_for(face, [&] { done.merge(divide_strips(face, done)); });
+        m_refine_crossings();
+      }
   }
 
   std::set<std::size_t> divide_strips(std::size_t face, const std::set<std::size_t>& done)
@@ -147,10 +157,11 @@ private:
   void stagger_strips()
   {
     std::set<std::size_t> done; // edges
-    for(std::size_t face : m_faces_with_strips) {
-      with_name_of_face(m_division.model(), face, [&] { done.merge(stagger_strips(face, done)); });
-      m_refine_crossings();
-    }
+    for(std::size_t face : m_faces_with_strips)
+      if(m_progress.go_further()) {
+        is_done_for(face, [&] { done.merge(stagger_strips(face, done)); });
+        m_refine_crossings();
+      }
   }
 
   std::set<std::size_t> stagger_strips(std::size_t face, const std::set<std::size_t>& done)
@@ -193,6 +204,8 @@ private:
     const std::size_t n = loop.size();
     std::vector<double> lengths(n), sizes(n);
     for(std::size_t i = 0; i < n; ++i) {
+      if(!m_progress.go_further())
+        return;
       lengths[i] = length(loop[i], loop[(i + 1) % n]);
       sizes[i] = graded_size(loop[i], triangulation);
     }

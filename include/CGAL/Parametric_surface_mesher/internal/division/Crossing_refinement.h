@@ -13,6 +13,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/division/Misplaced_holes.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 
 #include <cstddef>
@@ -37,18 +38,24 @@ class Crossing_refinement
 
   Division& m_division;
   const std::vector<Oracle>& m_oracles; // by face
+  Patch_progress& m_progress;
   std::size_t m_number_of_splits = 0;
 
 public:
-  Crossing_refinement(Division& division, const std::vector<Oracle>& oracles) : m_division(division), m_oracles(oracles) {}
+  Crossing_refinement(Division& division, const std::vector<Oracle>& oracles, Patch_progress& progress)
+    : m_division(division), m_oracles(oracles), m_progress(progress)
+  {}
 
-  // Checks the faces whose boundary has changed since the last call.
+  // Checks the faces whose boundary has changed since the last call. After a stop it goes on: there is no mesh without it.
   void operator()()
   {
     for(auto faces = m_division.take_changed_faces(); !faces.empty(); faces = m_division.take_changed_faces()) {
       std::set<Piece> pieces;
       for(std::size_t face : faces)
-        with_name_of_face(m_division.model(), face, [&] { collect(face, pieces); });
+        m_division.is_done_for(face, [&] {
+          m_progress.go_further();
+          with_name_of_face(m_division.model(), face, [&] { collect(face, pieces); });
+        });
       m_number_of_splits += pieces.size();
       m_division.split(pieces);
     }

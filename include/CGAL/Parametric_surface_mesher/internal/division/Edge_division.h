@@ -14,7 +14,9 @@
 #include <CGAL/Parametric_surface_mesher/internal/charts/Pointed_apex.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/criteria_of_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Parametric_surface_mesher/divide_curve.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
@@ -57,6 +59,12 @@ private:
   // The squared ratio of two pieces that count as equally long: 1.05 for the lengths.
   static constexpr double squared_ratio_of_equal_pieces = 1.1;
   static constexpr double smallest_share = 1. / 4096; // pieces are halved 12 times at most
+  // Of a bent edge that is not divided by size, since the run is stopped: with fewer, holes could come to lie outside.
+  static constexpr std::size_t number_of_pieces_after_stop = 16;
+
+  // Thrown to get out of a division by size.
+  struct Stopped
+  {};
 
   const Model& m_model;
   const std::vector<Oracle>& m_oracles; // by face
@@ -64,10 +72,12 @@ private:
   Model_uses<Model> m_uses;
   std::vector<Parametric_surface_mesh_criteria> m_face_criteria;
   std::vector<Boundary_size<Oracle>> m_sizes; // by face
+  Patch_progress& m_progress;
 
 public:
-  Edge_divider(const Model& model, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria)
-    : m_model(model), m_oracles(oracles), m_criteria(criteria), m_uses(model)
+  Edge_divider(const Model& model, const std::vector<Oracle>& oracles, const Parametric_surface_mesh_criteria& criteria,
+               Patch_progress& progress)
+    : m_model(model), m_oracles(oracles), m_criteria(criteria), m_uses(model), m_progress(progress)
   {
     const auto curve = [](const Edge_use& use) -> const auto& { return use.curve; };
     for(const auto& face : model.faces())
@@ -77,6 +87,9 @@ public:
   }
 
   const Model_uses<Model>& uses() const { return m_uses; }
+
+  // Edges that no face uses any more are not to be divided.
+  void leave_out(std::size_t face) { m_uses.leave_out(face); }
 
   // The bounding box of the loops of a face in its domain.
   const Bbox_2& box(std::size_t face) const { return m_sizes[face].box(); }
@@ -118,8 +131,7 @@ public:
       if(m_model.edges()[number].is_collapsed)
         division.parameters = {curve.begin(), curve.end()};
       else
-        division.parameters = divide_curve(
-          curve, criteria_of_edge(number), [&](double t) { return spacing_limit(number, t); }, least_number_of_pieces, prescribed);
+        division.parameters = parameters(number, curve, least_number_of_pieces, prescribed);
       for(double t : division.parameters)
         division.points.push_back(curve.point(t));
     });
@@ -154,14 +166,56 @@ public:
   }
 
 private:
-  // Calls `function` with the curve of an edge in space.
+  // Calls `function` with the curve of an edge in space. Errors are those of the first face that uses it.
   template <class Function>
   auto with_curve(std::size_t edge, Function function) const
   {
-    if(m_model.edges()[edge].curve)
-      return function(*m_model.edges()[edge].curve);
+    if(m_uses[edge].empty())
+      throw Parametric_surface_mesh_error(numbered("edge", edge) + " is used by no face");
     const Use& use = m_uses[edge].front();
-    return function(Curve_on_surface_3<Surface>(m_oracles[use.face].surface(), use.use->curve));
+    return about_face(use.face, [&] {
+      if(m_model.edges()[edge].curve)
+        return function(*m_model.edges()[edge].curve);
+      return function(Curve_on_surface_3<Surface>(m_oracles[use.face].surface(), use.use->curve));
+    });
+  }
+
+  template <class Curve>
+  std::vector<double> parameters(std::size_t edge, const Curve& curve, std::size_t least_number_of_pieces,
+                                 std::size_t prescribed_number) const
+  {
+    if(!m_progress.go_further())
+      return equal_parameters(edge, curve, least_number_of_pieces, prescribed_number);
+    try {
+      return divide_curve(
+        curve, criteria_of_edge(edge),
+        [&](double t) {
+          if(!m_progress.go_further())
+            throw Stopped();
+          return spacing_limit(edge, t);
+        },
+        least_number_of_pieces, prescribed_number);
+    }
+    catch(const Stopped&) {
+      return equal_parameters(edge, curve, least_number_of_pieces, prescribed_number);
+    }
+  }
+
+  // without a look at sizes
+  template <class Curve>
+  std::vector<double> equal_parameters(std::size_t edge, const Curve& curve, std::size_t least_number_of_pieces,
+                                       std::size_t prescribed_number) const
+  {
+    const bool is_straight = std::all_of(m_uses[edge].begin(), m_uses[edge].end(),
+                                         [](const Use& use) { return use.use->curve.is_straight(); });
+    std::size_t n = prescribed_number;
+    if(n == 0)
+      n = (std::max)(least_number_of_pieces, is_straight ? 1 : std::size_t(number_of_pieces_after_stop));
+    std::vector<double> result;
+    for(std::size_t i = 0; i < n; ++i)
+      result.push_back(curve.begin() + double(i) / double(n) * (curve.end() - curve.begin()));
+    result.push_back(curve.end());
+    return result;
   }
 
   // The criteria with the smallest of the sizes that the edge and its faces have.
@@ -178,7 +232,7 @@ private:
   {
     double limit = m_criteria.max_edge();
     for(const Use& use : m_uses[edge])
-      limit = (std::min)(limit, m_sizes[use.face](use.use->curve, t, use.is_domain_left));
+      limit = (std::min)(limit, about_face(use.face, [&] { return m_sizes[use.face](use.use->curve, t, use.is_domain_left); }));
     return limit;
   }
 };

@@ -9,11 +9,14 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_MODEL_DIVISION_H
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/charts/Pointed_apex.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Edge_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/least_numbers_of_pieces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 #include <CGAL/Parametric_surface_model_3.h>
 
@@ -66,25 +69,64 @@ private:
   std::vector<std::size_t> m_vertex_indices;      // by vertex of the model: its index in the mesh
   std::size_t m_number_of_points = 0;
   std::set<std::size_t> m_changed_edges; // see `take_changed_faces()`
+  Bad_faces& m_bad_faces;
 
 public:
+  // A face that is the cause of an error is left out, if bad faces are to be.
   Model_division(const Model& model, const std::vector<Oracle>& oracles,
-                 const Parametric_surface_mesh_criteria& criteria)
-    : m_model(model), m_divider(model, oracles, criteria), m_divisions(model.edges().size()),
+                 const Parametric_surface_mesh_criteria& criteria, Bad_faces& bad_faces, Patch_progress& progress)
+    : m_model(model), m_divider(model, oracles, criteria, progress), m_divisions(model.edges().size()),
       m_domain_points(model.edges().size()),
-      m_first_inner_indices(model.edges().size())
+      m_first_inner_indices(model.edges().size()), m_bad_faces(bad_faces)
   {
     const std::vector<std::size_t> least_numbers = least_numbers_of_pieces(model, uses());
     const Pointed_apexes<Model> apexes(model);
-    for(std::size_t edge : uses().order())
-      about_face(uses()[edge].front().face, [&] {
-        m_divisions[edge] = m_divider.divide(edge, least_numbers[edge]);
-        m_divider.join_at_apexes(edge, least_numbers[edge], apexes, m_divisions[edge]);
+    const std::vector<std::size_t> edges = uses().order();
+    for(std::size_t edge : edges)
+      change(edge, [&] {
+        about_face(uses()[edge].front().face, [&] {
+          Edge_division<Kernel> division = m_divider.divide(edge, least_numbers[edge]);
+          m_divider.join_at_apexes(edge, least_numbers[edge], apexes, division);
+          m_divisions[edge] = std::move(division);
+        });
+        m_domain_points[edge] = domain_points_at(edge, m_divisions[edge].parameters);
       });
-    for(std::size_t edge : uses().order())
-      set_domain_points(edge);
     m_changed_edges.insert(uses().order().begin(), uses().order().end());
     number_vertices_first();
+  }
+
+  // Calls `function`, which concerns a face. Returns whether that face is good: if it is the cause of an error, it is left
+  // out, or the error thrown on, as is wanted of bad faces. The division of edges that others use, too, stays.
+  template <class Function>
+  bool is_done_for(std::size_t face, const Function& function)
+  {
+    if(m_bad_faces.contains(face))
+      return false;
+    try {
+      function();
+      return true;
+    }
+    catch(const Parametric_surface_mesh_error& error) {
+      if(!m_bad_faces.contains(face)) // else it was left out while the function went on
+        leave_out(m_bad_faces.add(error));
+      return false;
+    }
+  }
+
+  // The face uses no edge any more. Points have new indices only when they are numbered again.
+  void leave_out(std::size_t face)
+  {
+    for(const auto& loop : m_model.faces()[face].loops)
+      for(const Edge_use& use : loop) {
+        const auto& uses_of_edge = uses()[use.edge];
+        auto& points = m_domain_points[use.edge];
+        if(points.size() != uses_of_edge.size())
+          continue; // the edge is not divided yet; or the loop comes to it again
+        for(std::size_t i = points.size(); i-- > 0;)
+          if(uses_of_edge[i].face == face)
+            points.erase(points.begin() + std::ptrdiff_t(i));
+      }
+    m_divider.leave_out(face);
   }
 
   const Model& model() const { return m_model; }
@@ -162,14 +204,17 @@ public:
   // \pre the points at its ends are the same as before
   void set_parameters(std::size_t edge, const std::vector<double>& parameters)
   {
-    Edge_division<Kernel>& division = m_divisions[edge];
-    division.points.resize(1);
-    for(std::size_t i = 1; i + 1 < parameters.size(); ++i)
-      division.points.push_back(m_divider.point(edge, parameters[i]));
-    division.points.push_back(m_model.vertices()[m_model.edges()[edge].target]);
-    division.parameters = parameters;
-    set_domain_points(edge);
-    m_changed_edges.insert(edge);
+    change(edge, [&] {
+      Edge_division<Kernel> division = m_divisions[edge];
+      division.points.resize(1);
+      for(std::size_t i = 1; i + 1 < parameters.size(); ++i)
+        division.points.push_back(m_divider.point(edge, parameters[i]));
+      division.points.push_back(m_model.vertices()[m_model.edges()[edge].target]);
+      division.parameters = parameters;
+      m_domain_points[edge] = domain_points_at(edge, parameters);
+      m_divisions[edge] = std::move(division);
+      m_changed_edges.insert(edge);
+    });
     number_vertices_first();
   }
 
@@ -188,7 +233,7 @@ public:
            || (piece.number + 1 == number_of_pieces(piece.edge) && division.keeps_last_piece);
   }
 
-  // Halves pieces.
+  // Halves pieces. Those that no face uses any more stay whole.
   // \pre all of them can be split, and they are in ascending order
   template <class Pieces>
   void split(const Pieces& pieces)
@@ -198,7 +243,7 @@ public:
       std::vector<std::size_t> numbers;
       for(; piece != pieces.end() && piece->edge == edge; ++piece)
         numbers.push_back(piece->number);
-      split(edge, numbers);
+      change(edge, [&] { split(edge, numbers); });
     }
     number_vertices_first();
   }
@@ -253,6 +298,16 @@ public:
     return {use->edge, use->is_reversed ? number_of_pieces(use->edge) - 1 - segment : segment};
   }
 
+  // Of the points with their present numbers: whether a face uses them that is not left out.
+  std::vector<bool> are_used() const
+  {
+    std::vector<bool> result(m_number_of_points, false);
+    for(std::size_t e : uses().order())
+      for(std::size_t i = 0; i <= number_of_pieces(e); ++i)
+        result[index(e, i)] = true;
+    return result;
+  }
+
   // The points of a divided edge.
   const std::vector<Point_3>& points(std::size_t edge) const { return m_divisions[edge].points; }
 
@@ -295,14 +350,31 @@ private:
     m_number_of_points += m_divisions[edge].parameters.size() - 2;
   }
 
-  void set_domain_points(std::size_t edge)
+  // Calls `function`, which divides an edge, and changes nothing if it fails. A face that is the cause of an error is left
+  // out; then the edge is divided for the others.
+  template <class Function>
+  void change(std::size_t edge, const Function& function)
   {
-    m_domain_points[edge].clear();
+    while(!uses()[edge].empty())
+      try {
+        function();
+        return;
+      }
+      catch(const Parametric_surface_mesh_error& error) {
+        leave_out(m_bad_faces.add(error));
+      }
+  }
+
+  // for each use
+  std::vector<Domain_points> domain_points_at(std::size_t edge, const std::vector<double>& parameters) const
+  {
+    std::vector<Domain_points> result;
     for(const auto& use : uses()[edge]) {
-      m_domain_points[edge].emplace_back();
-      for(double t : m_divisions[edge].parameters)
-        m_domain_points[edge].back().push_back(domain_point(use, t));
+      result.emplace_back();
+      for(double t : parameters)
+        result.back().push_back(domain_point(use, t));
     }
+    return result;
   }
 
   template <class Use>
@@ -322,8 +394,9 @@ private:
   void split(std::size_t edge, const std::vector<std::size_t>& numbers)
   {
     Edge_division<Kernel>& division = m_divisions[edge];
+    std::vector<Domain_points> domain_points;
     for(std::size_t u = 0; u < m_domain_points[edge].size(); ++u)
-      put_in_middles(uses()[edge][u], division.parameters, numbers, m_domain_points[edge][u]);
+      domain_points.push_back(with_middles(uses()[edge][u], division.parameters, numbers, m_domain_points[edge][u]));
     std::vector<double> parameters;
     std::vector<Point_3> points;
     auto next = numbers.begin();
@@ -339,12 +412,13 @@ private:
     }
     division.parameters.swap(parameters);
     division.points.swap(points);
+    m_domain_points[edge].swap(domain_points);
     m_changed_edges.insert(edge);
   }
 
   template <class Use>
-  void put_in_middles(const Use& use, const std::vector<double>& parameters, const std::vector<std::size_t>& numbers,
-                      Domain_points& points) const
+  Domain_points with_middles(const Use& use, const std::vector<double>& parameters, const std::vector<std::size_t>& numbers,
+                             const Domain_points& points) const
   {
     Domain_points result;
     auto next = numbers.begin();
@@ -355,7 +429,7 @@ private:
         ++next;
       }
     }
-    points.swap(result);
+    return result;
   }
 
   // Appends the points of a use except for the last one, with which the next use begins.

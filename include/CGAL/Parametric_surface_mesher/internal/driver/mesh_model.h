@@ -15,27 +15,28 @@
 #include <CGAL/Parametric_surface_mesher/internal/division/Crossing_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Triangulated_boundary.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/Face_job.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Faces_of_points.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/append_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/curve_box.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
-#include <CGAL/Parametric_surface_mesher/internal/output/Partial_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/append_division.h>
-#include <CGAL/Parametric_surface_mesher/internal/partition/Split_patch_mesher.h>
-#include <CGAL/Parametric_surface_mesher/internal/support/Synchronized_visitor.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
-#include <CGAL/Parametric_surface_mesher/internal/support/for_each_by_weight.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/for_each_index.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/run_jobs.h>
+#include <CGAL/Parametric_surface_mesher/internal/surfaces/are_copies_independent.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Parametric_surface_oracle_3.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <exception>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -57,44 +58,64 @@ inline void set_default_sizes(Parametric_surface_mesh_criteria& criteria, double
                                         + " is larger than the maximum edge length " + describe(criteria.max_edge()));
 }
 
-// The oracles of the faces of a model.
+template <class Surface>
+std::vector<Surface> copy_surfaces(const Parametric_surface_model_3<Surface>& model)
+{
+  std::vector<Surface> result;
+  for(const auto& face : model.faces())
+    result.push_back(face.surface);
+  return result;
+}
+
+// The oracles of the faces of a model, which refer to `surfaces`.
 template <class Surface, class MetricField>
 std::vector<Parametric_surface_oracle_3<Surface, MetricField>>
-make_oracles(const Parametric_surface_model_3<Surface>& model, const MetricField& metric)
+make_oracles(const Parametric_surface_model_3<Surface>& model, const std::vector<Surface>& surfaces, const MetricField& metric)
 {
   std::vector<Parametric_surface_oracle_3<Surface, MetricField>> result;
-  for(const auto& face : model.faces()) {
+  for(std::size_t f = 0; f < surfaces.size(); ++f) {
+    const auto& face = model.faces()[f];
     std::vector<typename Surface::Geom_traits::Point_3> singular_points;
     for(const auto& loop : face.loops)
       for(const auto& use : loop)
         if(model.edges()[use.edge].is_collapsed)
           singular_points.push_back(model.vertices()[model.edges()[use.edge].source]);
-    result.emplace_back(face.surface, metric, std::move(singular_points));
+    result.emplace_back(surfaces[f], metric, std::move(singular_points));
   }
   return result;
 }
 
-// From a model to its triangles: the division of the edges, then face by face.
-template <class Model, class Criteria, class MetricField, class Visitor>
+// From a model to its triangles: the division of the edges, then the faces, as jobs for a scheduler, then all together.
+template <class Model, class Criteria, class MetricField>
 class Model_mesher
 {
 public:
   typedef Parametric_surface_oracle_3<typename Model::Surface_3, MetricField> Oracle;
   typedef Model_division<Oracle> Division;
-  typedef Indexed_mesh<typename Model::Geom_traits> Mesh;
+  typedef typename Model::Geom_traits Kernel;
+  typedef Indexed_mesh<Kernel> Mesh;
 
 private:
+  typedef internal::Face_job<Oracle, Criteria> Face_job;
+  typedef typename Face_job::Chords Chords;
+
   const Model& m_model;
   Criteria m_criteria;
-  Synchronized_visitor<Visitor> m_visitor;
-  std::vector<Oracle> m_oracles;
-  std::vector<Triangulated_boundary<Oracle>> m_boundaries; // of the faces, or none; each is used up by the mesh of its face
+  // Of the faces, copied for this run: what a surface remembers of its evaluation comes from this run alone, and from one
+  // thread at a time.
+  const std::vector<typename Model::Surface_3> m_surfaces;
+  const std::vector<Oracle> m_oracles;
+  std::vector<Triangulated_boundary<Oracle>> m_boundaries; // of the faces, if closeness has made them; a job takes its own
+  Mesh_progress& m_progress;
+  Bad_faces& m_bad_faces;
   Parametric_surface_mesh_report& m_report;
 
 public:
-  Model_mesher(const Model& model, const Criteria& criteria, const MetricField& metric, Visitor& visitor,
-               Parametric_surface_mesh_report& report)
-    : m_model(model), m_criteria(criteria), m_visitor(visitor), m_oracles(make_oracles(model, metric)), m_report(report)
+  // Faces without loops are left out.
+  Model_mesher(const Model& model, const Criteria& criteria, const MetricField& metric, Mesh_progress& progress,
+               Bad_faces& bad_faces, Parametric_surface_mesh_report& report)
+    : m_model(model), m_criteria(criteria), m_surfaces(copy_surfaces(model)), m_oracles(make_oracles(model, m_surfaces, metric)),
+      m_progress(progress), m_bad_faces(bad_faces), m_report(report)
   {
     set_default_sizes(m_criteria, model_diagonal(model));
     m_report.max_edge = m_criteria.max_edge();
@@ -104,236 +125,233 @@ public:
   Division divide()
   {
     Phase_timer timer(m_report.seconds.division);
-    m_visitor.on_phase("division");
-    Division division(m_model, m_oracles, m_criteria);
-    Crossing_refinement<Oracle> refine(division, m_oracles);
+    Patch_progress progress(m_progress);
+    progress.on_phase("division");
+    Division division(m_model, m_oracles, m_criteria, m_bad_faces, progress);
+    Crossing_refinement<Oracle> refine(division, m_oracles, progress);
     refine();
-    if(m_criteria.closeness()) {
-      Closeness_refinement<Oracle> refine_narrow_faces(division, m_oracles, m_criteria, m_boundaries, refine);
+    if(m_criteria.closeness() && progress.go_further()) {
+      Closeness_refinement<Oracle> refine_narrow_faces(division, m_oracles, m_criteria, m_boundaries, refine, progress);
       m_report.number_of_edges_split_by_closeness = refine_narrow_faces();
     }
     m_report.number_of_split_boundary_edges = refine.number_of_splits();
-    m_report.number_of_boundary_edges = division.number_of_edges();
+    m_bad_faces.check_that_some_are_good(m_model.faces().size());
+    m_report.is_stopped = progress.is_stopped();
     return division;
   }
 
-  // The mesh is the same with and without threads.
+  // The mesh is the same with and without threads. `number_points`: gives the points of the division their indices
   // \pre the mesh is empty
-  template <class ConcurrencyTag>
-  void mesh_faces(const Division& division, Mesh& mesh)
+  template <class ConcurrencyTag, class Numbering>
+  void mesh_faces(Division& division, const Numbering& number_points, Mesh& mesh)
   {
+    number_points(division);
     append_division(division, mesh);
-    if(!is_parallel<ConcurrencyTag>())
-      mesh_one_by_one<ConcurrencyTag>(division, mesh);
-    else if(!mesh_faces_at_the_same_time<ConcurrencyTag>(division, mesh)) {
-      divide(); // the same once more: the triangulations of the boundaries are used up
-      mesh_one_by_one<ConcurrencyTag>(division, mesh);
-    }
+    std::vector<Face_job> jobs = make_jobs(division);
+    const Faces_of_points faces_of_points = this->faces_of_points(jobs);
+    run<ConcurrencyTag>(jobs, faces_of_points, mesh);
+    keep_limit<ConcurrencyTag>(jobs, faces_of_points, mesh);
+    split_common_chords<ConcurrencyTag>(jobs, mesh);
+    leave_out_failed(jobs, division);
+    append(jobs, mesh);
+    remove_unused_points(division, number_points, mesh);
     mesh.template finish<ConcurrencyTag>();
+    m_report.number_of_boundary_edges = division.number_of_edges();
     m_report.number_of_faces = mesh.number_of_faces();
+    m_report.left_out = m_bad_faces.left_out();
   }
 
 private:
-  typedef Split_patch_mesher<Oracle, Criteria, Synchronized_visitor<Visitor>> Face_mesher;
-
-  typedef typename Model::Geom_traits Kernel;
-  typedef Boundary_loops<Kernel> Loops;
-
-  // a part of a face
-  struct Part
+  // of the faces that are not left out, in their order
+  std::vector<Face_job> make_jobs(const Division& division) const
   {
-    Partial_mesh<typename Model::Geom_traits> mesh;
-    Parametric_surface_mesh_report report;
-  };
-
-  // a face that is meshed, maybe while others are
-  struct Task
-  {
-    std::size_t face, number_of_vertices; // the number that the mesh has before
-    Loops loops;
-    std::unique_ptr<Face_mesher> mesher;
-    typename Mesh::Chords chords; // of a face that is not in parts
-    std::vector<Part> parts;      // as far as they are collected
-    std::exception_ptr error;
-  };
-
-  template <class ConcurrencyTag>
-  void mesh_one_by_one(const Division& division, Mesh& mesh)
-  {
+    std::vector<Face_job> result;
     for(std::size_t f = 0; f < m_model.faces().size(); ++f)
-      if(!m_model.faces()[f].loops.empty()) { // else it was left out
-        std::vector<Task> tasks(1);
-        tasks.front().face = f;
-        tasks.front().loops = division.boundary_loops(f);
-        tasks.front().number_of_vertices = mesh.number_of_points();
-        run<ConcurrencyTag>(tasks.front());
-        collect<ConcurrencyTag>(tasks, mesh);
-      }
-  }
-
-  // Returns false, with the mesh as it was, if there are as many vertices as are allowed: then each face may have but what
-  // those before it have left.
-  template <class ConcurrencyTag>
-  bool mesh_faces_at_the_same_time(const Division& division, Mesh& mesh)
-  {
-    std::vector<Task> tasks = tasks_by_size(division, mesh.number_of_points());
-    const Faces_of_points faces_of_points = this->faces_of_points(tasks);
-    for_each_index<ConcurrencyTag>(tasks.size(), [&](std::size_t i) {
-      run_and_collect<ConcurrencyTag>(tasks[i], faces_of_points, mesh);
-    });
-    std::sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.face < b.face; });
-    std::size_t number_of_vertices = mesh.number_of_points();
-    for(const Task& task : tasks)
-      if(!task.error)
-        number_of_vertices += task.mesher->number_of_inner_vertices();
-    if(number_of_vertices >= m_criteria.max_number_of_vertices())
-      return false;
-    collect<ConcurrencyTag>(tasks, mesh);
-    return true;
-  }
-
-  // the largest faces, by the edges of their boundaries, first
-  std::vector<Task> tasks_by_size(const Division& division, std::size_t number_of_vertices) const
-  {
-    std::vector<Task> result;
-    for(std::size_t f = 0; f < m_model.faces().size(); ++f)
-      if(!m_model.faces()[f].loops.empty())
-        result.push_back({f, number_of_vertices, division.boundary_loops(f), nullptr, {}, {}, nullptr});
-    std::stable_sort(result.begin(), result.end(), [](const Task& a, const Task& b) {
-      return internal::number_of_vertices<Kernel>(a.loops) > internal::number_of_vertices<Kernel>(b.loops);
-    });
+      if(!m_model.faces()[f].loops.empty() && !m_bad_faces.contains(f))
+        result.emplace_back(f, division.boundary_loops(f), !are_copies_independent(m_model.faces()[f].surface));
     return result;
   }
 
-  template <class ConcurrencyTag>
-  void run(Task& task)
-  {
-    with_name_of_face(m_model, task.face, [&] {
-      const Criteria criteria = criteria_of_face(task.face, task.loops, task.number_of_vertices);
-      task.mesher = std::make_unique<Face_mesher>(m_oracles[task.face], criteria, task.loops, m_visitor);
-      task.mesher->template run<ConcurrencyTag>(triangulated_boundary(task));
-      if(task.mesher->is_whole())
-        task.chords = task.mesher->own_chords();
-    });
-  }
-
-  // of the face of a task, if closeness has one
-  Boundary_triangulation<Kernel> triangulated_boundary(const Task& task)
-  {
-    if(m_boundaries.empty())
-      return {};
-    Triangulated_boundary<Oracle>& boundary = m_boundaries[task.face];
-    boundary.update(m_oracles[task.face], task.loops);
-    return boundary.take();
-  }
-
-  // A face that is not in parts is collected at once, while its triangulation is in the cache, and to be rid of that; unless
-  // it has a chord that may be that of another one.
-  template <class ConcurrencyTag>
-  void run_and_collect(Task& task, const Faces_of_points& faces_of_points, const Mesh& mesh) noexcept
-  {
-    try {
-      run<ConcurrencyTag>(task);
-      if(!task.mesher->is_whole() || may_have_common_chord(task, faces_of_points, mesh))
-        return;
-      task.parts.resize(1);
-      collect(task, 0, mesh);
-    }
-    catch(...) {
-      task.error = std::current_exception();
-    }
-  }
-
-  // \pre the tasks are in the order of their faces
-  template <class ConcurrencyTag>
-  void collect(std::vector<Task>& tasks, Mesh& mesh)
-  {
-    std::vector<std::pair<Task*, std::size_t>> parts; // to be collected
-    std::vector<double> weights;
-    for(Task& task : tasks) {
-      prepare<ConcurrencyTag>(task, mesh);
-      for(std::size_t i = task.parts.size(); i < task.mesher->number_of_parts(); ++i) {
-        parts.emplace_back(&task, i);
-        weights.push_back(double(task.mesher->number_of_triangles(i)));
-      }
-      task.parts.resize(task.mesher->number_of_parts());
-    }
-    for_each_by_weight<ConcurrencyTag>(weights, [&](std::size_t i) { collect(*parts[i].first, parts[i].second, mesh); });
-    for(Task& task : tasks)
-      for(Part& part : task.parts) {
-        append_report(part.report, mesh.number_of_faces(), m_report);
-        mesh.append(std::move(part.mesh));
-      }
-  }
-
-  void collect(Task& task, std::size_t number, const Mesh& mesh) const
-  {
-    Part& part = task.parts[number];
-    part.mesh = with_name_of_face(m_model, task.face, [&] { return task.mesher->collect(number, mesh, part.report); });
-    part.mesh.patch = task.face;
-    if(m_model.faces()[task.face].is_reversed)
-      part.mesh.reverse();
-  }
-
-  static Faces_of_points faces_of_points(const std::vector<Task>& tasks)
+  static Faces_of_points faces_of_points(const std::vector<Face_job>& jobs)
   {
     Faces_of_points result;
-    for(const Task& task : tasks)
-      result.add(task.face, task.loops);
+    for(const Face_job& job : jobs)
+      result.add(job.face(), job.loops());
     result.finish();
     return result;
   }
 
-  // with another face, or an edge of the division
-  bool may_have_common_chord(const Task& task, const Faces_of_points& faces_of_points, const Mesh& mesh) const
+  // Calls `function` with all jobs that have not failed: with threads those of the largest faces, by the edges of their
+  // boundaries, first, else in their order. A job that fails notes its error. If that is going to be thrown, jobs of faces
+  // after it need not be done. `function`: takes a concurrency tag, too
+  template <class ConcurrencyTag, class Function>
+  void for_each_job(std::vector<Face_job>& jobs, const Function& function) const
   {
-    const auto division = mesh.chords.find(m_model.faces()[task.face].shell);
-    return (division != mesh.chords.end() && has_common_chord(task.chords, division->second))
-           || std::any_of(task.chords.begin(), task.chords.end(), [&](const auto& chord) {
-                return faces_of_points.have_other_common_face(chord.first, chord.second, task.face);
+    std::vector<Job> properties;
+    for(const Face_job& job : jobs)
+      properties.push_back({is_parallel<ConcurrencyTag>() ? double(job.number_of_boundary_vertices()) : 0., job.is_exclusive()});
+    std::atomic<std::size_t> first_failed{jobs.size()};
+    run_jobs<ConcurrencyTag>(properties, [&](std::size_t i) {
+      if(jobs[i].error || first_failed < i)
+        return;
+      call<ConcurrencyTag>(jobs[i], function);
+      if(jobs[i].error && !m_bad_faces.are_left_out())
+        for(std::size_t first = first_failed; i < first && !first_failed.compare_exchange_weak(first, i);)
+          continue;
+    });
+  }
+
+  template <class ConcurrencyTag, class Function>
+  void call(Face_job& job, const Function& function) const
+  {
+    try {
+      with_name_of_face(m_model, job.face(), [&] {
+        if(job.is_exclusive())
+          function(Sequential_tag(), job);
+        else
+          function(ConcurrencyTag(), job);
+      });
+    }
+    catch(...) {
+      job.error = std::current_exception();
+    }
+  }
+
+  template <class ConcurrencyTag>
+  void run(std::vector<Face_job>& jobs, const Faces_of_points& faces_of_points, const Mesh& mesh)
+  {
+    std::size_t number_of_vertices = mesh.number_of_points(); // of the faces before, if these are done
+    for_each_job<ConcurrencyTag>(jobs, [&](auto tag, Face_job& job) {
+      run_and_collect(tag, job, number_of_vertices, faces_of_points, mesh);
+      if(!is_parallel<ConcurrencyTag>())
+        number_of_vertices += job.number_of_inner_vertices();
+    });
+  }
+
+  // A face may have as many vertices as those before it have left. Where others were meshed at the same time it might have too
+  // many: it and those after it are meshed once more.
+  template <class ConcurrencyTag>
+  void keep_limit(std::vector<Face_job>& jobs, const Faces_of_points& faces_of_points, const Mesh& mesh)
+  {
+    std::size_t number_of_vertices = mesh.number_of_points();
+    for(Face_job& job : jobs) {
+      if(!job.error && !job.is_stopped() && job.is_limited_by(limit_of_face(job, number_of_vertices)))
+        call<ConcurrencyTag>(job, [&](auto tag, Face_job& again) {
+          run_and_collect(tag, again, number_of_vertices, faces_of_points, mesh);
+        });
+      if(!job.error)
+        number_of_vertices += job.number_of_inner_vertices();
+    }
+  }
+
+  // A face is collected at once, while its triangulation is in the cache, and to be rid of that; unless it has a chord that may
+  // be that of another one. `number_of_vertices`: of the faces before
+  template <class ConcurrencyTag>
+  void run_and_collect(ConcurrencyTag, Face_job& job, std::size_t number_of_vertices, const Faces_of_points& faces_of_points,
+                       const Mesh& mesh)
+  {
+    Criteria criteria = criteria_of_face(m_criteria, m_model.faces()[job.face()]);
+    criteria.set_max_number_of_vertices(limit_of_face(job, number_of_vertices));
+    job.template run<ConcurrencyTag>(m_oracles[job.face()], criteria, triangulated_boundary(job), m_progress);
+    if(!may_have_common_chord(job, faces_of_points, mesh))
+      job.template collect<ConcurrencyTag>(mesh);
+  }
+
+  std::size_t limit_of_face(const Face_job& job, std::size_t number_of_vertices) const
+  {
+    const std::size_t limit = m_criteria.max_number_of_vertices();
+    return limit - (std::min)(limit, number_of_vertices) + job.number_of_boundary_vertices();
+  }
+
+  // of the face of a job, if closeness has one; not after a stop, when it may be behind the division
+  Boundary_triangulation<Kernel> triangulated_boundary(const Face_job& job)
+  {
+    if(m_boundaries.empty() || m_progress.is_stopped())
+      return {};
+    Triangulated_boundary<Oracle>& boundary = m_boundaries[job.face()];
+    boundary.update(m_oracles[job.face()], job.loops());
+    return boundary.take();
+  }
+
+  // with another face, or an edge of the division
+  bool may_have_common_chord(const Face_job& job, const Faces_of_points& faces_of_points, const Mesh& mesh) const
+  {
+    const auto division = mesh.chords.find(m_model.faces()[job.face()].shell);
+    return (division != mesh.chords.end() && job.has_chord_among(division->second))
+           || std::any_of(job.chords().begin(), job.chords().end(), [&](const auto& chord) {
+                return faces_of_points.have_other_common_face(chord.first, chord.second, job.face());
               });
   }
 
-  // What cannot be done for several faces at the same time.
+  // Sees to the jobs that are not collected, in their order.
   template <class ConcurrencyTag>
-  void prepare(Task& task, Mesh& mesh)
+  void split_common_chords(std::vector<Face_job>& jobs, Mesh& mesh) const
   {
-    if(task.error)
-      std::rethrow_exception(task.error);
-    for(const auto& loop : task.loops)
-      for(const auto& vertex : loop)
-        mesh.domain_points[vertex.index] = vertex.domain_point;
-    typename Mesh::Chords& chords = mesh.chords[m_model.faces()[task.face].shell];
-    if(task.mesher->is_whole() && !has_common_chord(task.chords, chords)) {
-      chords.insert(task.chords.begin(), task.chords.end());
-      task.mesher->add_to(m_report);
-      return;
+    for(Face_job& job : jobs)
+      if(!job.error && !job.is_collected())
+        call<ConcurrencyTag>(job, [&](auto, Face_job& waiting) {
+          waiting.split_common_chords(mesh.chords[m_model.faces()[waiting.face()].shell]);
+        });
+    for_each_job<ConcurrencyTag>(jobs, [&](auto tag, Face_job& job) {
+      if(!job.is_collected())
+        job.template collect<decltype(tag)>(mesh);
+    });
+  }
+
+  void leave_out_failed(std::vector<Face_job>& jobs, Division& division)
+  {
+    for(const Face_job& job : jobs)
+      if(job.error)
+        try {
+          std::rethrow_exception(job.error);
+        }
+        catch(const Parametric_surface_mesh_error& error) {
+          division.leave_out(m_bad_faces.add(error));
+        }
+    jobs.erase(std::remove_if(jobs.begin(), jobs.end(), [](const Face_job& job) { return bool(job.error); }), jobs.end());
+    m_bad_faces.check_that_some_are_good(m_model.faces().size());
+  }
+
+  void append(std::vector<Face_job>& jobs, Mesh& mesh)
+  {
+    for(Face_job& job : jobs) {
+      for(const auto& loop : job.loops())
+        for(const auto& vertex : loop)
+          mesh.domain_points[vertex.index] = vertex.domain_point;
+      m_report.is_stopped = m_report.is_stopped || job.is_stopped();
+      append_report(job.result().report, 0, m_report);
+      const std::size_t place_of_cuts = mesh.points.size();
+      mesh.points.insert(mesh.points.end(), job.result().cut_points.begin(), job.result().cut_points.end());
+      mesh.domain_points.insert(mesh.domain_points.end(), job.result().cut_domain_points.begin(),
+                                job.result().cut_domain_points.end());
+      for(auto& part : job.result().parts) {
+        part.mesh.patch = job.face();
+        part.mesh.place_of_cuts = place_of_cuts;
+        if(m_model.faces()[job.face()].is_reversed)
+          part.mesh.reverse();
+        append_report(part.report, mesh.number_of_faces(), m_report);
+        mesh.append(std::move(part.mesh));
+      }
     }
-    CGAL_assertion(task.parts.empty());
-    with_name_of_face(m_model, task.face, [&] { task.mesher->template prepare<ConcurrencyTag>(mesh, chords, m_report); });
   }
 
-  static bool has_common_chord(const typename Mesh::Chords& chords, const typename Mesh::Chords& others)
+  // Points that only faces have that were left out after their edges were divided.
+  template <class Numbering>
+  void remove_unused_points(Division& division, const Numbering& number_points, Mesh& mesh) const
   {
-    return std::any_of(chords.begin(), chords.end(), [&](const auto& chord) { return others.count(chord) > 0; });
-  }
-
-  // the number of vertices is limited for all faces together
-  Criteria criteria_of_face(std::size_t face, const Loops& loops, std::size_t number_of_vertices) const
-  {
-    const std::size_t limit = m_criteria.max_number_of_vertices(), own = internal::number_of_vertices<Kernel>(loops);
-    Criteria result = internal::criteria_of_face(m_criteria, m_model.faces()[face]);
-    result.set_max_number_of_vertices(limit - (std::min)(limit, number_of_vertices) + own);
-    return result;
+    if(m_bad_faces.is_empty())
+      return;
+    mesh.remove_points_of_division(division.are_used());
+    number_points(division);
   }
 };
 
-template <class Model, class Criteria, class MetricField, class Visitor>
-Model_mesher<Model, Criteria, MetricField, Visitor>
-make_model_mesher(const Model& model, const Criteria& criteria, const MetricField& metric, Visitor& visitor,
-                  Parametric_surface_mesh_report& report)
+template <class Model, class Criteria, class MetricField>
+Model_mesher<Model, Criteria, MetricField>
+make_model_mesher(const Model& model, const Criteria& criteria, const MetricField& metric, Mesh_progress& progress,
+                  Bad_faces& bad_faces, Parametric_surface_mesh_report& report)
 {
-  return Model_mesher<Model, Criteria, MetricField, Visitor>(model, criteria, metric, visitor, report);
+  return Model_mesher<Model, Criteria, MetricField>(model, criteria, metric, progress, bad_faces, report);
 }
 
 // The shells of the faces of a model.

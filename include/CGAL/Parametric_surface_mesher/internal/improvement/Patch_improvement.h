@@ -12,6 +12,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Patch_polishing.h>
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Patch_repair.h>
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Patch_smoothing.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/Phase_timer.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 
@@ -43,13 +44,15 @@ class Patch_improvement
   const Evaluator& m_evaluate;
   const Parametric_surface_mesh_criteria& m_criteria;
   const double& m_seconds_before; // spent on the patch so far
+  Patch_progress& m_progress;
   double m_share_of_moves = 0;    // of the vertices, in the last sweep; 0 if there was none
   std::size_t m_number_of_work_limits = 0;
 
 public:
   Patch_improvement(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria,
-                    const double& seconds_before)
-    : m_triangulation(triangulation), m_evaluate(evaluate), m_criteria(criteria), m_seconds_before(seconds_before)
+                    const double& seconds_before, Patch_progress& progress)
+    : m_triangulation(triangulation), m_evaluate(evaluate), m_criteria(criteria), m_seconds_before(seconds_before),
+      m_progress(progress)
   {}
 
   bool has_smoothing() const { return max_number_of_sweeps() > 0; }
@@ -64,7 +67,7 @@ public:
   void repair(const Judge& judge)
   {
     Patch_repair<Evaluator, Judge> repair(m_triangulation, m_evaluate, judge, m_criteria);
-    m_number_of_work_limits = repair(clock());
+    m_number_of_work_limits = repair([has_time = clock(), this] { return m_progress.go_further() && has_time(); });
   }
 
   // how many faces the last repair has left because of the bound on its work
@@ -100,8 +103,8 @@ private:
   void repeat(Sweep&& sweep, unsigned int number_of_sweeps)
   {
     const auto has_time = clock();
-    for(unsigned int i = 0; i < number_of_sweeps && has_time(); ++i) {
-      m_share_of_moves = double(sweep()) / double(m_triangulation.number_of_vertices());
+    for(unsigned int i = 0; i < number_of_sweeps && m_progress.go_further() && has_time(); ++i) {
+      m_share_of_moves = double(sweep([this] { return m_progress.go_further(); })) / double(m_triangulation.number_of_vertices());
       if(m_share_of_moves < least_share_of_moves)
         return;
     }

@@ -65,12 +65,13 @@ public:
   Patch_polishing(const Patch_polishing&) = delete;
   Patch_polishing& operator=(const Patch_polishing&) = delete;
 
-  // one sweep; returns the number of vertices that have moved
-  std::size_t operator()()
+  // One sweep, or a part of one that is stopped. Returns the number of vertices that have moved.
+  template <class GoFurther>
+  std::size_t operator()(const GoFurther& go_further)
   {
     std::size_t number_of_moves = 0;
     for_each_vertex_with_lookahead(m_triangulation, [&](Vertex_handle vertex) {
-      if(vertex->is_on_boundary() || vertex->is_settled() || vertex->is_kept())
+      if(vertex->is_on_boundary() || vertex->is_settled() || vertex->is_kept() || !go_further())
         return;
       m_star.collect(vertex);
       const bool has_moved = move_if_better(vertex);

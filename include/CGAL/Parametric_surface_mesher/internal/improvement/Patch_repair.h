@@ -116,7 +116,7 @@ public:
   template <class GoFurther>
   std::size_t operator()(const GoFurther& go_further, std::size_t max_number_of_attempts)
   {
-    add_all_poor();
+    add_all_poor(go_further);
     if(m_queue.empty())
       return 0;
     for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
@@ -172,11 +172,12 @@ private:
     return is_collapsed(face) ? 1 : face_measures(face, m_evaluate.oracle().metric()).squared_smallest_sine;
   }
 
-  void add_all_poor()
+  template <class GoFurther>
+  void add_all_poor(const GoFurther& go_further)
   {
     std::size_t number_of_faces = 0;
     for(Face_handle face : m_triangulation.finite_face_handles())
-      if(face->is_in_domain()) {
+      if(face->is_in_domain() && go_further()) {
         ++number_of_faces;
         add_if_poor(face);
       }

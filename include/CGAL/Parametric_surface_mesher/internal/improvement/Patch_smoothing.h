@@ -70,18 +70,20 @@ public:
   Patch_smoothing& operator=(const Patch_smoothing&) = delete;
 
   // one sweep; returns the number of vertices that have moved
-  std::size_t operator()()
+  template <class GoFurther>
+  std::size_t operator()(const GoFurther& go_further)
   {
     std::size_t number_of_moves = 0;
     for_each_vertex_with_lookahead(m_triangulation, [&](Vertex_handle vertex) {
-      if(!vertex->is_on_boundary() && !vertex->is_settled() && !vertex->is_kept())
+      if(!vertex->is_on_boundary() && !vertex->is_settled() && !vertex->is_kept() && go_further())
         number_of_moves += smooth(vertex);
     });
     for(Face_handle face : m_triangulation.finite_face_handles())
-      if(face->is_in_domain() && !face->verdict().is_known())
+      if(face->is_in_domain() && !face->verdict().is_known() && go_further())
         flip_obtuse(face);
     for(Vertex_handle vertex : m_crowded)
-      m_equalize_valences(vertex);
+      if(go_further())
+        m_equalize_valences(vertex);
     m_crowded.clear();
     return number_of_moves;
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -20,6 +21,17 @@
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
+
+// Refuses a loop with an edge that a model does not have.
+template <class Model>
+void check_edge_numbers(const Model& model, std::size_t face, std::size_t loop)
+{
+  for(const auto& use : model.faces()[face].loops[loop])
+    if(use.edge >= model.edges().size())
+      throw Parametric_surface_mesh_error(numbered("face", face) + ", " + numbered("loop", loop)
+                                          + ": there is no edge with index " + std::to_string(use.edge) + ", only "
+                                          + std::to_string(model.edges().size()) + " edges", face);
+}
 
 // The uses of each edge of a model, with the side of the edge on which the face lies. Refers to the loops of the model.
 template <class Model>
@@ -52,6 +64,18 @@ public:
   const std::vector<Use>& operator[](std::size_t edge) const { return m_uses[edge]; }
   const std::vector<std::size_t>& order() const { return m_order; }
 
+  // The face uses no edge any more. The others keep their order.
+  void leave_out(std::size_t face)
+  {
+    for(const auto& loop : m_model.faces()[face].loops)
+      for(const Edge_use& use : loop) {
+        auto& uses = m_uses[use.edge];
+        uses.erase(std::remove_if(uses.begin(), uses.end(), [=](const Use& u) { return u.face == face; }), uses.end());
+      }
+    m_order.erase(std::remove_if(m_order.begin(), m_order.end(), [this](std::size_t edge) { return m_uses[edge].empty(); }),
+                  m_order.end());
+  }
+
   // Whether the face of `use`, seen from the side that it faces to, lies to the left of the edge.
   bool is_face_left(const Use& use) const { return use.is_domain_left != m_model.faces()[use.face].is_reversed; }
 
@@ -76,11 +100,7 @@ private:
   void append(std::size_t face, std::size_t number)
   {
     const auto& loop = m_model.faces()[face].loops[number];
-    for(const Edge_use& use : loop)
-      if(use.edge >= m_uses.size())
-        throw Parametric_surface_mesh_error(numbered("face", face) + ", " + numbered("loop", number)
-                                            + ": there is no edge with index " + std::to_string(use.edge) + ", only "
-                                            + std::to_string(m_uses.size()) + " edges", face);
+    check_edge_numbers(m_model, face, number);
     double double_area = 0;
     for(const Edge_use& use : loop)
       double_area += (use.is_reversed ? -1 : 1) * double_area_seen_from(loop.front().curve.source(), use.curve);

@@ -37,17 +37,26 @@ inline double diagonal(const Bbox_3& box)
   return std::sqrt(square(box.x_span()) + square(box.y_span()) + square(box.z_span()));
 }
 
+// The box around the images of the loops of a face.
+template <class Surface>
+Bbox_3 boundary_box(const Parametric_surface_model_3<Surface>& model, std::size_t face)
+{
+  Bbox_3 box;
+  with_name_of_face(model, face, [&] {
+    for(const auto& loop : model.faces()[face].loops)
+      for(const auto& use : loop)
+        box += curve_box(model.faces()[face].surface, use.curve);
+  });
+  return box;
+}
+
 // The diagonal of the bounding box of the images of all loops.
 template <class Surface>
 double model_diagonal(const Parametric_surface_model_3<Surface>& model)
 {
   Bbox_3 box;
   for(std::size_t f = 0; f < model.faces().size(); ++f)
-    with_name_of_face(model, f, [&] {
-      for(const auto& loop : model.faces()[f].loops)
-        for(const auto& use : loop)
-          box += curve_box(model.faces()[f].surface, use.curve);
-    });
+    box += boundary_box(model, f);
   return diagonal(box);
 }
 

@@ -14,7 +14,6 @@
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Boundary_size.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/group_points.h>
-#include <CGAL/Parametric_surface_mesher/internal/surfaces/Surface_reference_3.h>
 #include <CGAL/Parametric_surface_model_3.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -76,11 +75,10 @@ template <class Surface>
 class Patch_model_maker
 {
   typedef typename Surface::Geom_traits Kernel;
-  typedef Surface_reference_3<Surface> Reference;
-  typedef Parametric_surface_model_3<Reference> Model;
+  typedef Parametric_surface_model_3<Surface> Model;
   typedef Parametric_domain_2<Kernel> Domain;
 
-  const Reference m_surface;
+  const Surface& m_surface;
   Domain m_domain;
   std::vector<bool> m_is_collapsed;     // by curve
   std::vector<std::size_t> m_sources, m_targets; // by curve: the index of a curve that begins there
@@ -164,7 +162,7 @@ private:
 };
 
 template <class Surface>
-Parametric_surface_model_3<Surface_reference_3<Surface>>
+Parametric_surface_model_3<Surface>
 model_of_patch(const Surface& surface, const Parametric_domain_2<typename Surface::Geom_traits>& domain)
 {
   return Patch_model_maker<Surface>(surface, domain)();

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Calls `function`; its errors get the index of the face.
+// Calls `function`; its errors get the index of the face, unless they have one already.
 template <class Function>
 auto about_face(std::size_t face, Function function)
 {
@@ -26,7 +26,7 @@ auto about_face(std::size_t face, Function function)
     return function();
   }
   catch(const Parametric_surface_mesh_error& error) {
-    throw Parametric_surface_mesh_error(error.what(), face);
+    throw Parametric_surface_mesh_error(error.what(), error.face().value_or(face));
   }
 }
 

@@ -22,10 +22,13 @@
 #include <CGAL/Parametric_surface_mesher/internal/surfaces/feature_lines.h>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <GeomAbs_Shape.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS_Face.hxx>
 #include <array>
 #include <gp_Ax3.hxx>
@@ -63,6 +66,18 @@ Parametric_frame_3<Kernel> to_frame(const gp_Ax3& a)
                                     to_vector<Kernel>(a.YDirection().XYZ()), to_vector<Kernel>(a.Direction().XYZ()));
 }
 
+// The same surface of the same parameters, with geometry of its own.
+inline BRepAdaptor_Surface copy_with_geometry(const BRepAdaptor_Surface& adaptor)
+{
+  return guarded([&] {
+    TopLoc_Location location;
+    const auto surface = Handle(Geom_Surface)::DownCast(BRep_Tool::Surface(adaptor.Face(), location)->Copy());
+    TopoDS_Face face;
+    BRep_Builder().MakeFace(face, surface, location, BRep_Tool::Tolerance(adaptor.Face()));
+    return BRepAdaptor_Surface(face, false);
+  });
+}
+
 // A surface that Open CASCADE evaluates: offsets, extrusions, surfaces of revolution, and all others without a class of their own.
 template <class Kernel>
 class Kernel_surface_3
@@ -73,6 +88,11 @@ public:
   typedef Kernel Geom_traits;
 
   explicit Kernel_surface_3(const BRepAdaptor_Surface& adaptor) : m_adaptor(adaptor) {}
+
+  // The kernel keeps caches in adaptors and in those of the curves and surfaces that a surface is made of. A copy shares none
+  // of them, so that another thread may evaluate it.
+  Kernel_surface_3(const Kernel_surface_3& other) : m_adaptor(copy_with_geometry(other.m_adaptor)) {}
+  Kernel_surface_3& operator=(const Kernel_surface_3&) = delete;
 
   typename Kernel::Point_3 point(double u, double v) const
   {

@@ -63,12 +63,35 @@ public:
     parts.push_back(std::move(part));
   }
 
+  // Takes those points of the division out of the shared points that no part has. The others keep their order.
+  void remove_points_of_division(const std::vector<bool>& are_used)
+  {
+    std::vector<std::size_t> indices; // new ones, of the points of the division
+    std::size_t number = 0;
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      if(i < are_used.size())
+        indices.push_back(number);
+      if(i < are_used.size() && !are_used[i])
+        continue;
+      points[number] = points[i];
+      domain_points[number++] = domain_points[i];
+    }
+    const std::size_t number_of_removed = points.size() - number;
+    points.resize(number);
+    domain_points.resize(number);
+    for(Part& part : parts) {
+      part.place_of_cuts -= number_of_removed;
+      part.renumber_division(indices);
+    }
+  }
+
   // Gives each part its place in the mesh. Must be called once, when all shared points and all parts are known.
   template <class ConcurrencyTag>
   void finish()
   {
     const std::size_t largest_index = (std::numeric_limits<typename Part::Index>::max)();
-    if(number_of_points() >= Part::first_own_point || 3 * number_of_faces() > largest_index / 2)
+    if(points.size() >= Part::first_cut_point || number_of_points() >= Part::first_own_point
+       || 3 * number_of_faces() > largest_index / 2)
       throw Parametric_surface_mesh_error("the mesh has too many triangles for indices of 32 bits");
     for_each_index<ConcurrencyTag>(parts.size(), [this](std::size_t i) {
       parts[i].first_point += points.size();

@@ -28,7 +28,9 @@ struct Partial_mesh
   typedef typename Kernel::Point_3 Point_3;
   typedef std::uint32_t Index;
 
-  static const Index first_own_point = Index(1) << 31; // of own points in `faces`, before the part has its place
+  // In `faces`, before the part has its place in the mesh: points of cuts, which the parts of its patch share, have indices from
+  // the first number on, those of its own from the second on. Smaller indices are those of points of the division.
+  static const Index first_cut_point = Index(1) << 30, first_own_point = Index(1) << 31;
 
   std::size_t patch = 0;
   std::vector<Point_3> points;
@@ -39,11 +41,20 @@ struct Partial_mesh
   std::size_t number_of_edges = 0;                   // edges without a side in `border`
   std::vector<std::array<Point_2, 3>> corner_points; // in the domain of the patch, if kept
 
-  std::size_t first_point = 0, first_face = 0, first_edge = 0; // its place in the mesh
+  std::size_t place_of_cuts = 0, first_point = 0, first_face = 0, first_edge = 0; // its place in the mesh
 
   Index source(std::size_t side) const { return faces[side / 3][side % 3]; }
   Index target(std::size_t side) const { return faces[side / 3][(side % 3 + 1) % 3]; }
   Index halfedge(std::size_t side) const { return halfedges[side / 3][side % 3]; }
+
+  // Gives points of the division other indices.
+  void renumber_division(const std::vector<std::size_t>& indices)
+  {
+    for(auto& face : faces)
+      for(Index& v : face)
+        if(v < first_cut_point)
+          v = Index(indices[v]);
+  }
 
   // Reverses all faces.
   void reverse()
@@ -66,6 +77,8 @@ struct Partial_mesh
       for(Index& v : face)
         if(v >= first_own_point)
           v = Index(v - first_own_point + first_point);
+        else if(v >= first_cut_point)
+          v = Index(v - first_cut_point + place_of_cuts);
     for(auto& sides : halfedges)
       for(Index& halfedge : sides)
         halfedge = Index(halfedge + 2 * first_edge);

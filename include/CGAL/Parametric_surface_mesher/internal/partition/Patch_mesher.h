@@ -22,7 +22,9 @@
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Patch_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Pole_ring.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Patch_evaluator.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/Unit_evaluator.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/check_derivatives.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/Phase_timer.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
@@ -51,7 +53,7 @@ Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
 
 // From the divided boundary of a patch, or of a part of one, to its triangles: triangulation, refinement, improvement. A patch
 // with poles is meshed in the coordinates of a chart. Patches know nothing of each other until they are collected.
-template <class Oracle, class Criteria, class Visitor>
+template <class Oracle, class Criteria>
 class Patch_mesher
 {
 public:
@@ -61,7 +63,7 @@ public:
   typedef Patch_evaluator<Charted_oracle> Evaluator;
   typedef Patch_triangulation_2<Kernel> Triangulation;
   typedef decltype(make_judge(std::declval<const Charted_oracle&>(), std::declval<const Criteria&>())) Judge;
-  typedef Patch_refinement<Evaluator, Judge, Visitor> Refinement;
+  typedef Patch_refinement<Evaluator, Judge> Refinement;
 
 private:
   const Surface m_surface;
@@ -70,7 +72,7 @@ private:
   const Charted_boundary<Kernel>& m_boundary; // of the patch
   const Boundary_loops<Kernel> m_loops;       // in the chart
   const Evaluator m_evaluator;
-  Visitor& m_visitor;
+  Patch_progress m_progress;
   Triangulation m_triangulation;
   std::size_t m_number_of_boundary_vertices = 0;
   const Judge m_judge;
@@ -84,12 +86,12 @@ public:
   // a part, from there on vertices of loops are not on the boundary of the patch
   // \pre no segments of the loops cross
   Patch_mesher(const Oracle& oracle, const Criteria& criteria, const Charted_boundary<Kernel>& boundary,
-               Boundary_loops<Kernel> loops, std::size_t first_index_of_cuts, Visitor& visitor)
+               Boundary_loops<Kernel> loops, std::size_t first_index_of_cuts, Mesh_progress& progress)
     : m_surface(oracle.surface(), boundary.chart()), m_oracle(m_surface, oracle.metric(), oracle.singular_points()),
       m_criteria(chart_criteria(criteria, boundary.chart())), m_boundary(boundary), m_loops(std::move(loops)),
-      m_evaluator(m_oracle, m_criteria, boundary.box()), m_visitor(visitor),
+      m_evaluator(m_oracle, m_criteria, boundary.box()), m_progress(progress),
       m_judge(make_judge(m_oracle, m_criteria)), m_first_index_of_cuts(first_index_of_cuts),
-      m_refine(m_triangulation, m_evaluator, m_criteria, m_judge, visitor)
+      m_refine(m_triangulation, m_evaluator, m_criteria, m_judge, m_progress)
   {}
 
   // it refers to itself
@@ -98,26 +100,28 @@ public:
 
   void operator()()
   {
-    triangulate_and_refine([this](auto& triangulate) { triangulate(m_evaluator); });
+    triangulate_and_refine([](auto& triangulate, const auto& evaluate) { triangulate(evaluate); });
   }
 
   // `given`: of the loops
   void operator()(Boundary_triangulation<Kernel> given)
   {
-    triangulate_and_refine([&](auto& triangulate) { triangulate(m_evaluator, std::move(given)); });
+    triangulate_and_refine([&](auto& triangulate, const auto& evaluate) { triangulate(evaluate, std::move(given)); });
   }
 
+  // Each phase is begun only if the run was not stopped before.
   // \pre there is a triangulation
   void refine_and_improve(bool has_front)
   {
     mark_cuts();
-    Patch_improvement<Evaluator, Judge> improve(m_triangulation, m_evaluator, m_criteria, m_report.seconds.improvement);
+    Patch_improvement<Evaluator, Judge> improve(m_triangulation, m_evaluator, m_criteria, m_report.seconds.improvement,
+                                                m_progress);
     in_phase("refinement", m_report.seconds.refinement, [&] {
       if(has_front)
         advance_front();
       m_refine(Scope::SHAPE);
     });
-    if(improve.has_smoothing() && !m_refine.is_stopped())
+    if(improve.has_smoothing())
       in_phase("smoothing", m_report.seconds.improvement, [&] { improve.smooth(); });
     in_phase("refinement", m_report.seconds.refinement, [&] {
       m_refine(Scope::WHOLE);
@@ -125,13 +129,14 @@ public:
     });
     m_report.number_of_replaced_tensors += m_refine.number_of_replaced_tensors();
     m_report.number_of_work_limits += m_refine.number_of_work_limits();
-    if(m_refine.is_stopped())
-      return;
     in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_judge); });
     if(improve.has_polishing())
       in_phase("polishing", m_report.seconds.improvement, [&] { improve.polish(m_judge); });
     m_report.number_of_work_limits += improve.number_of_work_limits();
   }
+
+  // whether the visitor has stopped the run before the patch was done
+  bool is_stopped() const { return m_progress.is_stopped(); }
 
   Triangulation& triangulation() { return m_triangulation; }
   const Refinement& refinement() const { return m_refine; }
@@ -147,8 +152,7 @@ public:
   }
 
   // The triangles, and what is to be told of them.
-  // `mesh`: has the boundary vertices already
-  Partial_mesh<Kernel> collect(const Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report)
+  Partial_mesh<Kernel> collect(bool keeps_domain_points, bool keeps_corner_points, Parametric_surface_mesh_report& report)
   {
     report.seconds += m_report.seconds;
     report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
@@ -158,7 +162,7 @@ public:
     judge();
     Partial_mesh<Kernel> part;
     Patch_collector<Kernel> collect(m_triangulation, m_boundary, part, report);
-    collect(mesh.keeps_domain_points, mesh.keeps_corner_points);
+    collect(keeps_domain_points, keeps_corner_points);
     return part;
   }
 
@@ -173,15 +177,21 @@ private:
   template <class Run>
   void in_phase(const char* name, double& seconds, const Run& run)
   {
+    if(!m_progress.go_further())
+      return;
     Phase_timer timer(seconds);
-    m_visitor.on_phase(name);
+    m_progress.on_phase(name);
     run();
   }
 
   template <class Triangulate>
   void triangulate_and_refine(const Triangulate& triangulate)
   {
-    in_phase("triangulation", m_report.seconds.triangulation, [&] { this->triangulate(triangulate); });
+    {
+      Phase_timer timer(m_report.seconds.triangulation);
+      m_progress.on_phase("triangulation");
+      this->triangulate(triangulate);
+    }
     refine_and_improve(m_criteria.placement() == Mesh_point_placement::FRONTAL);
   }
 
@@ -206,18 +216,25 @@ private:
     m_report.number_of_replaced_tensors += insert_at_features.number_of_replaced_tensors();
   }
 
-  // `run`: makes a triangulator triangulate
+  // So that the mesh has no holes, this is done after a stop, too: then without evaluating the surface.
+  // `run`: makes a triangulator triangulate, with the points that an evaluator gives
   template <class Run>
   void triangulate(const Run& run)
   {
     Boundary_triangulator<Kernel> triangulate(m_triangulation, m_loops);
-    run(triangulate);
-    check_derivatives(m_surface, m_triangulation);
+    const Unit_evaluator<Surface> evaluate_after_stop(m_surface);
+    run(triangulate, [&](const auto& uv, const auto& surface_point, double spacing) {
+      return m_progress.go_further() ? m_evaluator(uv, surface_point, spacing) : evaluate_after_stop(uv, surface_point, spacing);
+    });
+    if(!m_progress.is_stopped())
+      check_derivatives(m_surface, m_triangulation);
     if(m_first_index_of_cuts == no_vertex_index) // else they are counted for the patch
       m_report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
     m_report.number_of_work_limits += triangulate.number_of_work_limits();
     m_has_taken_over = triangulate.has_taken_over();
     m_number_of_boundary_vertices = triangulate.vertices().size();
+    if(m_progress.is_stopped())
+      return;
     Pole_ring<Evaluator> insert_rings(m_triangulation, m_evaluator, m_boundary);
     insert_rings(m_loops);
   }

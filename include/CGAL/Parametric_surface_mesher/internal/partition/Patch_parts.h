@@ -56,13 +56,13 @@ class Patch_parts
 public:
   template <class Evaluator>
   Patch_parts(const Evaluator& evaluate, const Patch_sketch<Evaluator>& sketch, const Boundary_loops<Kernel>& loops,
-              double max_weight)
+              double max_weight, Patch_progress& progress)
   {
     std::vector<Region> stack(1, region_of_patch(evaluate, sketch, loops));
     const double max_weight_of_part
       = (std::max)(share_of_part * max_weight, least_share_of_patch * stack.front().weight());
     const Region_cutter<Evaluator> find_cut(evaluate, sketch);
-    while(!stack.empty()) {
+    while(!stack.empty() && progress.go_further()) {
       Region region = std::move(stack.back());
       stack.pop_back();
       std::vector<Region> parts;

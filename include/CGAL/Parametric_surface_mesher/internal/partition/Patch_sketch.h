@@ -9,10 +9,10 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_PARTITION_PATCH_SKETCH_H
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
-#include <CGAL/Parametric_surface_mesh_visitor.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_judge.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Patch_refinement.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Domain_walk.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/triangulate_boundary.h>
@@ -78,7 +78,6 @@ private:
 
   const Evaluator& m_evaluate;
   const Parametric_surface_mesh_criteria m_criteria;
-  Parametric_surface_mesh_visitor m_visitor;
   Triangulation m_triangulation;
   std::size_t m_number_of_replaced_tensors = 0; // those of boundary vertices
   mutable Face_handle m_hint;
@@ -86,7 +85,7 @@ private:
 public:
   // \pre the segments of the loops do not cross
   Patch_sketch(const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria,
-               const Boundary_loops<Kernel>& loops, double coarseness)
+               const Boundary_loops<Kernel>& loops, double coarseness, Patch_progress& progress)
     : m_evaluate(evaluate), m_criteria(with_circumcenters(criteria))
   {
     Boundary_triangulator<Kernel> triangulate(m_triangulation, loops);
@@ -94,8 +93,7 @@ public:
     m_number_of_replaced_tensors = triangulate.number_of_replaced_tensors();
     typedef Sketch_judge<typename Evaluator::Oracle> Judge;
     const Judge judge(evaluate.oracle(), coarseness);
-    Patch_refinement<Evaluator, Judge, Parametric_surface_mesh_visitor> refine(m_triangulation, evaluate, m_criteria, judge,
-                                                                               m_visitor);
+    Patch_refinement<Evaluator, Judge> refine(m_triangulation, evaluate, m_criteria, judge, progress);
     refine(Scope::SHAPE);
   }
 

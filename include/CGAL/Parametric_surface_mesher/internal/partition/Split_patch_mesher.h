@@ -12,13 +12,16 @@
 #include <CGAL/Parametric_surface_mesher/internal/charts/Charted_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/partition/Cut_strips.h>
+#include <CGAL/Parametric_surface_mesher/internal/partition/Meshed_patch.h>
 #include <CGAL/Parametric_surface_mesher/internal/partition/Patch_mesher.h>
 #include <CGAL/Parametric_surface_mesher/internal/partition/Patch_parts.h>
 #include <CGAL/Parametric_surface_mesher/internal/partition/Patch_sketch.h>
+#include <CGAL/Parametric_surface_mesher/internal/partition/Vertex_allowances.h>
 #include <CGAL/Parametric_surface_mesher/internal/partition/triangles_by_boundary.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/Phase_timer.h>
-#include <CGAL/Parametric_surface_mesher/internal/support/for_each_by_weight.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/for_each_index.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/run_jobs.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 
 #include <algorithm>
@@ -40,116 +43,111 @@ Meshes a patch: whole or, if it is large, cut into parts that are meshed at the 
 the cuts are improved once more with the points of the cuts as inner vertices, so that no trace of them is left. The mesh
 depends neither on the number of threads nor on their order.
 
-Patches with a singular point that have no chart stay whole, as do those whose loops touch, and those that may have as many
-vertices as are allowed.
+Patches with a singular point that have no chart stay whole, as do those whose loops touch, and those that would have many
+more vertices than are allowed.
 */
-template <class Oracle, class Criteria, class Visitor>
+template <class Oracle, class Criteria>
 class Split_patch_mesher
 {
-  typedef Patch_mesher<Oracle, Criteria, Visitor> Mesher;
+  typedef Patch_mesher<Oracle, Criteria> Mesher;
   typedef typename Mesher::Kernel Kernel;
   typedef typename Mesher::Evaluator Evaluator;
   typedef typename Mesher::Triangulation Triangulation;
   typedef typename Triangulation::Face_handle Face_handle;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef Boundary_loops<Kernel> Loops;
-  typedef Boundary_vertex<Kernel> Shared_vertex; // its index is that in the mesh, once it is there; none if not shared
+  typedef Boundary_vertex<Kernel> Shared_vertex; // of a cut; its index is that in the parts, none if it is not shared
+  typedef typename Indexed_mesh<Kernel>::Chords Chords;
+  typedef Partial_mesh<Kernel> Part;
+  typedef Vertex_allowances::Allowance Allowance;
 
   static constexpr double triangles_in_sketch = 600; // of a patch just large enough to be split
   static constexpr double most_triangles_by_boundary = 3; // over the number that the boundary tells
 
+  // of the time for improvement, for the parts and for the strips
+  static constexpr double share_of_parts = 0.9, share_of_strips = 0.1;
+
   const Oracle& m_oracle;
   const Criteria m_criteria;
   const Charted_boundary<Kernel> m_boundary;
-  Visitor& m_visitor;
+  Vertex_allowances m_allowances;
+  Mesh_progress& m_run_progress;
+  Patch_progress m_progress; // of what is done for the patch, not for a part
   std::vector<std::unique_ptr<Mesher>> m_parts; // with the strips, in the end
-  bool m_is_whole = false;                      // then there is one part
   std::vector<Shared_vertex> m_shared; // of parts and strips; by index, from the first index on
   std::size_t m_first_index = 0, m_number_of_inner_vertices = 0;
-  bool m_is_stopped = false;
   Parametric_surface_mesh_report m_report;
 
 public:
   // \pre no segments of the loops cross
-  Split_patch_mesher(const Oracle& oracle, const Criteria& criteria, const Loops& loops, Visitor& visitor)
-    : m_oracle(oracle), m_criteria(criteria), m_boundary(oracle.surface(), loops), m_visitor(visitor)
+  Split_patch_mesher(const Oracle& oracle, const Criteria& criteria, const Loops& loops, Mesh_progress& progress)
+    : m_oracle(oracle), m_criteria(criteria), m_boundary(oracle.surface(), loops), m_run_progress(progress), m_progress(progress)
   {}
 
   // it refers to itself
   Split_patch_mesher(const Split_patch_mesher&) = delete;
   Split_patch_mesher& operator=(const Split_patch_mesher&) = delete;
 
-  // `boundary`: a triangulation of the loops, if there is one
+  // Meshes the patch. `boundary`: a triangulation of the loops, if there is one
   template <class ConcurrencyTag>
-  void run(Boundary_triangulation<Kernel> boundary)
+  void operator()(Boundary_triangulation<Kernel> boundary)
   {
-    if(may_be_split() && mesh_parts<ConcurrencyTag>())
+    if(m_progress.go_further() && may_be_split() && mesh_parts<ConcurrencyTag>())
       return;
-    m_parts.clear();
-    m_shared.clear();
-    m_is_whole = true;
-    m_report.number_of_replaced_tensors = 0; // of the sketch
-    m_parts.push_back(std::make_unique<Mesher>(m_oracle, m_criteria, m_boundary, m_boundary.loops(), no_vertex_index, m_visitor));
+    m_report.number_of_replaced_tensors = 0; // those of the sketch are counted once more
+    m_parts.push_back(std::make_unique<Mesher>(m_oracle, m_criteria, m_boundary, m_boundary.loops(), no_vertex_index,
+                                               m_run_progress));
     if(boundary.triangulation)
       (*m_parts.front())(std::move(boundary));
     else
       (*m_parts.front())();
     m_number_of_inner_vertices = m_parts.front()->number_of_inner_vertices();
+    m_allowances.add({1., number_of_boundary_vertices(), m_number_of_inner_vertices});
   }
+
+  // how the vertices that are allowed were shared out
+  const Vertex_allowances& allowances() const { return m_allowances; }
+
+  // Whether it is in parts that share points of cuts.
+  bool has_cuts() const { return m_parts.size() > 1; }
 
   std::size_t number_of_inner_vertices() const { return m_number_of_inner_vertices; }
 
-  // else it is in parts
-  bool is_whole() const { return m_is_whole; }
-
-  // Of a patch that is whole: none is left twice in the patch.
-  typename Indexed_mesh<Kernel>::Chords own_chords()
+  // whether the visitor has stopped the run before the patch was done
+  bool is_stopped() const
   {
-    typename Indexed_mesh<Kernel>::Chords result;
-    m_parts.front()->split_chords(result);
-    return result;
+    return std::any_of(m_parts.begin(), m_parts.end(), [](const auto& part) { return part->is_stopped(); });
   }
 
-  // Makes all ready to be collected: puts points that parts share into the mesh, and splits chords.
-  // `chords`: what joins boundary vertices of the patch's shell
-  template <class ConcurrencyTag>
-  void prepare(Indexed_mesh<Kernel>& mesh, typename Indexed_mesh<Kernel>::Chords& chords,
-               Parametric_surface_mesh_report& report)
+  // Splits chords of the patch that repeat others: those given, or one another. `chords`: what joins boundary vertices; those
+  // of the patch are added. It may be done again, with more of them.
+  void split_chords(Chords& chords)
   {
-    add_to(report);
-    for(Shared_vertex& vertex : m_shared) {
-      if(vertex.index == no_vertex_index)
-        continue;
-      vertex.index = mesh.points.size();
-      mesh.points.push_back(vertex.surface_point);
-      mesh.domain_points.push_back(m_boundary.domain_point(vertex.domain_point));
-    }
-    for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) {
-      if(!m_is_whole)
-        number_shared_vertices(m_parts[i]->triangulation());
-    });
     for(const auto& part : m_parts)
       part->split_chords(chords);
   }
 
-  // of what is not told of the parts
-  void add_to(Parametric_surface_mesh_report& report) const
+  // Hands over the triangles, which then are gone from here.
+  template <class ConcurrencyTag>
+  Meshed_patch<Kernel> collect(bool keeps_domain_points, bool keeps_corner_points)
   {
-    report.seconds += m_report.seconds;
-    report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
-  }
-
-  std::size_t number_of_parts() const { return m_parts.size(); }
-
-  // about as many, for a part
-  std::size_t number_of_triangles(std::size_t part) const { return m_parts[part]->triangulation().tds().number_of_faces(); }
-
-  // Collects the triangles of a part, which then is gone. This may be done for several at the same time.
-  // \pre `prepare()` was called, or the patch is whole
-  Partial_mesh<Kernel> collect(std::size_t part, const Indexed_mesh<Kernel>& mesh, Parametric_surface_mesh_report& report)
-  {
-    const std::unique_ptr<Mesher> mesher = std::move(m_parts[part]);
-    return mesher->collect(mesh, report);
+    Meshed_patch<Kernel> result;
+    result.report = m_report;
+    for(const Shared_vertex& vertex : m_shared)
+      if(vertex.index != no_vertex_index) {
+        result.cut_points.push_back(vertex.surface_point);
+        result.cut_domain_points.push_back(m_boundary.domain_point(vertex.domain_point));
+      }
+    std::vector<double> weights;
+    for(const auto& part : m_parts)
+      weights.push_back(double(part->triangulation().tds().number_of_faces()));
+    result.parts.resize(m_parts.size());
+    for_each_by_weight<ConcurrencyTag>(weights, [&](std::size_t i) {
+      auto& part = result.parts[i];
+      const std::unique_ptr<Mesher> mesher = std::move(m_parts[i]);
+      part.mesh = mesher->collect(keeps_domain_points, keeps_corner_points, part.report);
+    });
+    return result;
   }
 
 private:
@@ -178,31 +176,44 @@ private:
   bool mesh_parts()
   {
     const std::unique_ptr<Patch_parts<Kernel>> parts = split();
-    if(parts->regions().size() < 2)
+    if(m_progress.is_stopped() || parts->regions().size() < 2)
       return false;
     std::vector<double> weights;
     for(const auto& region : parts->regions())
       weights.push_back(region.weight());
     const double total = std::accumulate(weights.begin(), weights.end(), 0.);
-    if(total / 2 > 2 * double(m_criteria.max_number_of_vertices()))
+    if(Vertex_allowances::is_too_large(total, m_criteria.max_number_of_vertices()))
       return false;
+    m_allowances.set_estimated_number_of_triangles(total);
     m_first_index = parts->first_index();
     m_parts.resize(weights.size());
+    std::vector<Allowance> allowances;
+    for(double weight : weights)
+      allowances.push_back({weight / total, number_of_boundary_vertices() + parts->number_of_cut_points()});
     for_each_by_weight<ConcurrencyTag>(weights, [&](std::size_t i) {
-      m_parts[i] = make_mesher(parts->regions()[i].boundary_loops(), 0.9 * weights[i] / total);
+      Loops loops = parts->regions()[i].boundary_loops();
+      const std::size_t limit = number_of_vertices<Kernel>(loops) + allowed_number(allowances[i]);
+      m_parts[i] = make_mesher(std::move(loops), share_of_parts * allowances[i].share, limit);
       (*m_parts[i])();
+      allowances[i].number = m_parts[i]->number_of_inner_vertices();
     });
-    for(const auto& part : m_parts) {
-      m_number_of_inner_vertices += part->number_of_inner_vertices();
-      m_is_stopped = m_is_stopped || part->refinement().is_stopped();
+    for(const Allowance& allowance : allowances) {
+      m_allowances.add(allowance);
+      m_number_of_inner_vertices += allowance.number;
     }
-    if(m_is_stopped)
+    if(is_stopped())
       share_cuts(*parts);
     else
       join_parts<ConcurrencyTag>(*parts);
-    for(const Shared_vertex& vertex : m_shared)
-      m_number_of_inner_vertices += vertex.index != no_vertex_index;
-    return m_number_of_inner_vertices + number_of_vertices<Kernel>(m_boundary.loops()) < m_criteria.max_number_of_vertices();
+    number_shared_vertices<ConcurrencyTag>();
+    return true;
+  }
+
+  std::size_t number_of_boundary_vertices() const { return number_of_vertices<Kernel>(m_boundary.loops()); }
+
+  std::size_t allowed_number(const Allowance& allowance) const
+  {
+    return allowance.allowed_number(m_criteria.max_number_of_vertices());
   }
 
   std::unique_ptr<Patch_parts<Kernel>> split()
@@ -213,18 +224,20 @@ private:
     const Criteria criteria = chart_criteria(m_criteria, m_boundary.chart());
     const Evaluator evaluate(oracle, criteria, m_boundary.box());
     const double coarseness = (std::max)(2., std::sqrt(double(m_criteria.part_size()) / triangles_in_sketch));
-    const Patch_sketch<Evaluator> sketch(evaluate, criteria, m_boundary.loops(), coarseness);
+    const Patch_sketch<Evaluator> sketch(evaluate, criteria, m_boundary.loops(), coarseness, m_progress);
     m_report.number_of_replaced_tensors = sketch.number_of_replaced_tensors();
-    return std::make_unique<Patch_parts<Kernel>>(evaluate, sketch, m_boundary.loops(), double(m_criteria.part_size()));
+    return std::make_unique<Patch_parts<Kernel>>(evaluate, sketch, m_boundary.loops(), double(m_criteria.part_size()),
+                                                 m_progress);
   }
 
   // `share`: of the time for improvement
-  std::unique_ptr<Mesher> make_mesher(Loops loops, double share) const
+  std::unique_ptr<Mesher> make_mesher(Loops loops, double share, std::size_t max_number_of_vertices) const
   {
     Criteria criteria = m_criteria;
     if(std::isfinite(m_criteria.improvement_time())) // a share of 0 of an infinite time is not a number
       criteria.set_improvement_time(share * m_criteria.improvement_time());
-    return std::make_unique<Mesher>(m_oracle, criteria, m_boundary, std::move(loops), m_first_index, m_visitor);
+    criteria.set_max_number_of_vertices(max_number_of_vertices);
+    return std::make_unique<Mesher>(m_oracle, criteria, m_boundary, std::move(loops), m_first_index, m_run_progress);
   }
 
   template <class ConcurrencyTag>
@@ -238,14 +251,23 @@ private:
     strips.connect();
     std::vector<std::unique_ptr<Mesher>> meshers(strips.sizes().size()); // of the strips
     std::vector<std::size_t> numbers(meshers.size()), numbers_taken(m_parts.size());
+    const std::size_t number_before
+      = number_of_boundary_vertices() + parts.number_of_cut_points() + m_number_of_inner_vertices;
+    std::vector<Allowance> allowances(meshers.size(), {1. / double(meshers.size()), number_before});
     for_each_by_weight<ConcurrencyTag>(strips.sizes(), [&](std::size_t i) {
-      meshers[i] = make_mesher({}, 0.1 / double(meshers.size()));
-      const std::size_t number_on_border = strips.triangulate(i, meshers[i]->triangulation());
+      auto triangulation = std::make_unique<Triangulation>();
+      const std::size_t number_on_border = strips.triangulate(i, *triangulation), number = triangulation->number_of_vertices();
+      meshers[i] = make_mesher({}, share_of_strips / double(meshers.size()), number + allowed_number(allowances[i]));
+      meshers[i]->triangulation().swap(*triangulation);
       meshers[i]->refine_and_improve(false);
+      const std::size_t new_number = meshers[i]->triangulation().number_of_vertices();
+      allowances[i].number = new_number - (std::min)(new_number, number); // repair may remove some
       numbers[i] = meshers[i]->number_of_inner_vertices() - number_on_border;
     });
     for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) { numbers_taken[i] = strips.close(i); });
     std::move(meshers.begin(), meshers.end(), std::back_inserter(m_parts));
+    for(const Allowance& allowance : allowances)
+      m_allowances.add(allowance);
     m_number_of_inner_vertices += std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
     m_number_of_inner_vertices -= std::accumulate(numbers_taken.begin(), numbers_taken.end(), std::size_t(0));
     for(std::size_t i = 0; i < strips.border().size(); ++i) {
@@ -265,11 +287,20 @@ private:
             m_shared[vertex.index - m_first_index] = {vertex.domain_point, vertex.surface_point, 0};
   }
 
-  void number_shared_vertices(Triangulation& triangulation) const
+  // Gives the vertices that parts and strips share their indices in the parts.
+  template <class ConcurrencyTag>
+  void number_shared_vertices()
   {
-    for(Vertex_handle vertex : triangulation.finite_vertex_handles())
-      if(vertex->is_on_boundary() && vertex->index() >= m_first_index)
-        vertex->set_index(m_shared[vertex->index() - m_first_index].index);
+    std::size_t number = 0;
+    for(Shared_vertex& vertex : m_shared)
+      if(vertex.index != no_vertex_index)
+        vertex.index = Part::first_cut_point + number++;
+    m_number_of_inner_vertices += number;
+    for_each_index<ConcurrencyTag>(m_parts.size(), [&](std::size_t i) {
+      for(Vertex_handle vertex : m_parts[i]->triangulation().finite_vertex_handles())
+        if(vertex->is_on_boundary() && vertex->index() >= m_first_index)
+          vertex->set_index(m_shared[vertex->index() - m_first_index].index);
+    });
   }
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Frontal_placement.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Inner_points.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Point_placement.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ the equilateral triangle of the wanted size, and an edge between a face that is 
 is on the front. A new point makes a triangle of the wanted size with such an edge. What the front leaves is for the
 refinement at circumcentres.
 */
-template <class Evaluator, class Visitor>
+template <class Evaluator>
 class Advancing_front
 {
   typedef typename Evaluator::Kernel Kernel;
@@ -47,16 +48,16 @@ class Advancing_front
   Triangulation& m_triangulation;
   Inner_points& m_points;
   const Frontal_placement<Inner_points> m_place;
-  Visitor& m_visitor;
+  Patch_progress& m_progress;
   const Domain_tiles m_tiles;
   Front_queue<Face_handle> m_queue;
   std::vector<double> m_ratios; // by face of the newest star
   std::size_t m_max_number_of_vertices;
-  bool m_is_stopped = false;
 
 public:
-  Advancing_front(Triangulation& triangulation, Inner_points& points, std::size_t max_number_of_vertices, Visitor& visitor)
-    : m_triangulation(triangulation), m_points(points), m_place(points), m_visitor(visitor),
+  Advancing_front(Triangulation& triangulation, Inner_points& points, std::size_t max_number_of_vertices,
+                  Patch_progress& progress)
+    : m_triangulation(triangulation), m_points(points), m_place(points), m_progress(progress),
       m_tiles(triangulation), m_queue(m_tiles.size()),
       m_max_number_of_vertices(max_number_of_vertices)
   {}
@@ -66,30 +67,22 @@ public:
   void operator()(const Faces& faces)
   {
     for(Face_handle face : faces)
-      if(face->is_in_domain() && !is_collapsed(face))
+      if(face->is_in_domain() && !is_collapsed(face) && m_progress.go_further())
         set_mark(face, squared_size_ratio(face));
     for(Face_handle face : faces)
       if(face->front_mark() == Front_mark::ACTIVE)
         push_if_on_front(face, squared_size_ratio(face));
-    for(std::size_t n = 1; !m_is_stopped && m_triangulation.number_of_vertices() < m_max_number_of_vertices; ++n) {
+    for(std::size_t n = 1; m_progress.go_further() && m_triangulation.number_of_vertices() < m_max_number_of_vertices; ++n) {
       const Face_handle face = m_queue.pop();
       if(face == Face_handle())
         break;
       advance(face);
       if(n % 512 == 0)
-        report_progress();
+        m_progress.on_progress(m_triangulation.number_of_vertices(), m_queue.size());
     }
   }
 
-  bool is_stopped() const { return m_is_stopped; }
-
 private:
-  void report_progress()
-  {
-    m_visitor.on_progress(m_triangulation.number_of_vertices(), m_queue.size());
-    m_is_stopped = !m_visitor.go_further();
-  }
-
   static void set_mark(Face_handle face, double squared_ratio)
   {
     face->set_front_mark(squared_ratio < squared_done_ratio ? Front_mark::DONE : Front_mark::ACTIVE);

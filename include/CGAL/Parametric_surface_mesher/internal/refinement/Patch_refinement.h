@@ -15,6 +15,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Bad_face_queue.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Inner_points.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Position_search.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/for_each_with_lookahead.h>
 
@@ -27,7 +28,7 @@ namespace internal {
 
 // Refinement of a patch (paper, section "Procedure"): while a triangle is bad, a point is inserted for its sake. All
 // triangles get a verdict, and those for which no point can be inserted the reason.
-template <class Evaluator, class Judge, class Visitor>
+template <class Evaluator, class Judge>
 class Patch_refinement
 {
   typedef typename Evaluator::Kernel Kernel;
@@ -38,18 +39,17 @@ class Patch_refinement
 
   Triangulation& m_triangulation;
   const Judge& m_judge;
-  Visitor& m_visitor;
+  Patch_progress& m_progress;
   Inner_points m_points;
   Position_search<Evaluator> m_find_position;
   Bad_face_queue<Face_handle> m_queue;
   const std::size_t m_max_number_of_vertices;
   Scope m_scope = Scope::WHOLE; // of the judgements
-  bool m_is_stopped = false;
 
 public:
   Patch_refinement(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria,
-                   const Judge& judge, Visitor& visitor)
-    : m_triangulation(triangulation), m_judge(judge), m_visitor(visitor), m_points(triangulation, evaluate),
+                   const Judge& judge, Patch_progress& progress)
+    : m_triangulation(triangulation), m_judge(judge), m_progress(progress), m_points(triangulation, evaluate),
       m_find_position(m_points, evaluate, criteria),
       m_max_number_of_vertices(criteria.max_number_of_vertices())
   {}
@@ -58,9 +58,8 @@ public:
   template <class Faces>
   void advance_front(const Faces& faces)
   {
-    Advancing_front<Evaluator, Visitor> advance(m_triangulation, m_points, m_max_number_of_vertices, m_visitor);
+    Advancing_front<Evaluator> advance(m_triangulation, m_points, m_max_number_of_vertices, m_progress);
     advance(faces);
-    m_is_stopped = advance.is_stopped();
   }
 
   // Refines until no triangle fails a criterion of the scope, as far as they can be met. Those of the shape cost little to
@@ -69,27 +68,25 @@ public:
   {
     m_scope = scope;
     for_each_face_with_lookahead(m_triangulation, [this](Face_handle face) {
-      if(face->is_in_domain())
+      if(face->is_in_domain() && m_progress.go_further())
         examine(face);
     });
-    for(std::size_t n = 1; !m_is_stopped; ++n) {
+    for(std::size_t n = 1; m_progress.go_further(); ++n) {
       const Face_handle face = m_queue.pop();
       if(face == Face_handle())
         break;
       refine(face);
       if(n % 512 == 0)
-        report_progress();
+        m_progress.on_progress(m_triangulation.number_of_vertices(), m_queue.size());
     }
   }
-
-  bool is_stopped() const { return m_is_stopped; }
 
   // Why a face is left as it is, of which that was not noted: one that improvement has changed. Where a point would help, it
   // was the end of the work that kept it from being inserted.
   // \pre the face fails a criterion
   Unmet_cause why_left(Face_handle face)
   {
-    if(m_is_stopped)
+    if(m_progress.is_stopped())
       return Unmet_cause::STOPPED;
     if(is_full())
       return Unmet_cause::VERTEX_LIMIT;
@@ -104,12 +101,6 @@ public:
 
 private:
   bool is_full() const { return m_triangulation.number_of_vertices() >= m_max_number_of_vertices; }
-
-  void report_progress()
-  {
-    m_visitor.on_progress(m_triangulation.number_of_vertices(), m_queue.size());
-    m_is_stopped = !m_visitor.go_further();
-  }
 
   void examine(Face_handle face)
   {
