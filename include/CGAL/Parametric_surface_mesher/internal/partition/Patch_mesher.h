@@ -209,7 +209,7 @@ private:
   {
     Feature_search<Evaluator> insert_at_features(m_triangulation, m_evaluator, m_criteria, m_surface.surface_in_domain(),
                                                  m_boundary.box());
-    while(!m_refine.is_stopped() && insert_at_features()) {
+    while(!m_progress.is_stopped() && insert_at_features()) {
       m_refine(Scope::SHAPE);
       m_refine(Scope::WHOLE);
     }
