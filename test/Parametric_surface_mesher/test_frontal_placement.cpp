@@ -68,7 +68,8 @@ TEST(Linear_tensor_field_2, is_linear_within_and_around_its_triangle)
   }
 }
 
-// Without the prediction it is 1.54 to 2.07 times: boundary and candidates that are refused are in this number, too.
+// Without the prediction it is 1.54 to 2.07 times: boundary and candidates that are refused are in this number, too. The check of
+// derivatives takes some more, at a few places of a patch of any size.
 TEST(Predicted_points, are_evaluated_once)
 {
   for(const char* name : {"skew", "sphere", "torus"}) {
@@ -77,7 +78,8 @@ TEST(Predicted_points, are_evaluated_once)
     const Sample_surface counting(Counting_surface{&sample.surface, &number_of_jets});
     Mesh mesh;
     add_patch(counting, sample.domain, front_alone(sample, 20000), mesh);
-    EXPECT_LT(double(number_of_jets), 1.5 * double(mesh.number_of_vertices())) << name;
+    const double jets_of_check = 200;
+    EXPECT_LT(double(number_of_jets), 1.5 * double(mesh.number_of_vertices()) + jets_of_check) << name;
   }
 }
 

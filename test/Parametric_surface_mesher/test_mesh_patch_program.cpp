@@ -176,14 +176,20 @@ TEST_F(Mesh_patch_program, closed_models_face_outward)
   }
 }
 
-// Only triangles that the fixed edges limit may fail.
+// Only triangles that the fixed edges limit may fail; and at the apex of the cone some have edges that are too far from the
+// surface for their length, and too short to be divided.
 TEST_F(Mesh_patch_program, has_good_angles_at_seams_and_poles)
 {
   const double smallest = 30 - 1e-6;
   for(const char* name : {"sphere", "torus", "cyl", "cone"}) {
     SCOPED_TRACE(name);
     const nlohmann::json result = json(std::string(name) + " --max-edge 0.1");
-    EXPECT_EQ(result.at("unmet"), 0);
+    for(const auto& unmet : result.at("unmet_by"))
+      if(unmet.at("cause") != "boundary") {
+        EXPECT_EQ(std::string(name), "cone");
+        EXPECT_EQ(unmet.at("criteria"), nlohmann::json::array({"deviation"}));
+        EXPECT_EQ(unmet.at("cause"), "minimum edge");
+      }
     EXPECT_LE(result.at("boundary_limited").get<int>(), 3);
     EXPECT_GE(result.at("min_angle_off_boundary").get<double>(), smallest);
     if(result.at("boundary_limited") == 0) {

@@ -77,7 +77,7 @@ struct Own_judge
 std::size_t polish(Wheel& wheel, const Own_judge& judge, int number_of_sweeps)
 {
   const Plane_evaluator evaluate{};
-  internal::Patch_polishing<Plane_evaluator, Own_judge> sweep(wheel.triangulation, evaluate, judge, Criteria());
+  internal::Patch_polishing<Plane_evaluator, Own_judge> sweep(wheel.triangulation, evaluate, judge, Criteria().set_min_edge(1e-6));
   std::size_t result = 0;
   for(int i = 0; i < number_of_sweeps; ++i)
     result += sweep([] { return true; });

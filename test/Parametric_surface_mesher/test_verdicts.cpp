@@ -57,13 +57,20 @@ public:
 
   Range deviation() const { return larger(larger(ratio(0), ratio(1)), ratio(2)); }
 
+  // At the middles and the centroid, and at most what is found in many places: where these come close to the bound the mesher
+  // looks at more of them, and adds half a percent for the places between.
   Range distance() const
   {
-    const Point_2 center = CGAL::centroid(m_corners.uv[0], m_corners.uv[1], m_corners.uv[2]);
-    const Vector_3 normal = cross_product(edge(0), edge(1));
-    const double above = std::fabs(normal * (m_surface.point(center.x(), center.y()) - m_corners.points[0]))
-                         / std::sqrt(normal.squared_length());
-    return larger(larger({above, above}, height(0)), larger(height(1), height(2)));
+    const Range coarse = larger(larger(above(1. / 3, 1. / 3), height(0)), larger(height(1), height(2)));
+    Range fine = coarse;
+    const int n = 24;
+    for(int i = 0; i <= n; ++i)
+      for(int k = 0; i + k <= n; ++k)
+        fine = larger(fine, above(double(i) / n, double(k) / n));
+    for(int i = 0; i < 3; ++i)
+      for(int k = 1; k < n; ++k)
+        fine = larger(fine, height(i, double(k) / n));
+    return {coarse.low, 1.005 * fine.high};
   }
 
 private:
@@ -75,11 +82,23 @@ private:
     return {height(i).low / length, height(i).high / length};
   }
 
-  Range height(int i) const
+  // over the plane of the triangle, at the place with these barycentric coordinates
+  Range above(double x, double y) const
   {
-    const Point_2 middle = CGAL::midpoint(m_corners.uv[i], m_corners.uv[(i + 1) % 3]);
-    const auto jet = m_surface.jet(middle.x(), middle.y());
-    const Vector_3 to_surface = m_surface.point(middle.x(), middle.y()) - m_corners.points[i];
+    const auto& uv = m_corners.uv;
+    const Point_2 place = CGAL::barycenter(uv[0], x, uv[1], y, uv[2], 1 - x - y);
+    const Vector_3 normal = cross_product(edge(0), edge(1));
+    const double result = std::fabs(normal * (m_surface.point(place.x(), place.y()) - m_corners.points[0]))
+                          / std::sqrt(normal.squared_length());
+    return {result, result};
+  }
+
+  // over an edge, at a share of the way along it
+  Range height(int i, double share = 0.5) const
+  {
+    const Point_2 place = m_corners.uv[i] + share * (m_corners.uv[(i + 1) % 3] - m_corners.uv[i]);
+    const auto jet = m_surface.jet(place.x(), place.y());
+    const Vector_3 to_surface = m_surface.point(place.x(), place.y()) - m_corners.points[i];
     const Vector_3 height = to_surface - (to_surface * edge(i) / edge(i).squared_length()) * edge(i);
     const Vector_3 normal = cross_product(jet.du, jet.dv);
     return {std::fabs(height * normal) / std::sqrt(normal.squared_length()), std::sqrt(height.squared_length())};

@@ -114,13 +114,16 @@ struct Squared_deviation
 
 // Notes an edge as close to the surface, in both its faces if both are in the domain.
 template <class Face_handle>
-void set_close(Face_handle f, int i)
+void set_close(Face_handle f, int i, bool is_near_limit)
 {
-  f->set_close(i);
-  if(f->is_constrained(i))
-    return;
-  const Face_handle across = f->neighbor(i);
-  across->set_close(across->index(f));
+  const auto set = [=](Face_handle face, int k) {
+    face->set_close(k);
+    if(is_near_limit)
+      face->set_near_limit(k);
+  };
+  set(f, i);
+  if(!f->is_constrained(i))
+    set(f->neighbor(i), f->neighbor(i)->index(f));
 }
 
 template <class Face_handle>
@@ -163,7 +166,7 @@ double squared_height_of_edge(double middle, const Point& p, const Point& q, con
   return result;
 }
 
-// The deviation at an edge, which is noted in both its faces if it is well within the limits, and not evaluated again.
+// The deviation at an edge, which is noted in both its faces if it is within the limits, and not evaluated again.
 template <class Face_handle, class Oracle>
 Squared_deviation squared_deviation_of_edge(Face_handle f, int i, double squared_length, const Oracle& oracle,
                                             const Deviation_limits& limits)
@@ -174,8 +177,17 @@ Squared_deviation squared_deviation_of_edge(Face_handle f, int i, double squared
   result.height = squared_height_of_edge(middle, p, q, oracle, limits);
   if(middle > 0)
     result.ratio = middle / squared_length;
-  if(result.has_ratio_within(limits) && result.has_height_within(limits) && !needs_closer_look(result.height, limits))
-    set_close(f, i);
+  if(result.has_ratio_within(limits) && result.has_height_within(limits))
+    set_close(f, i, needs_closer_look(result.height, limits));
+  return result;
+}
+
+// What is known of an edge that is close to the surface: if it is near the limit of the distance, that limit.
+template <class Face_handle>
+Squared_deviation squared_deviation_of_close_edge(Face_handle f, int i, const Deviation_limits& limits)
+{
+  Squared_deviation result;
+  result.height = f->is_near_limit(i) ? limits.squared_distance : 0;
   return result;
 }
 
@@ -188,8 +200,12 @@ Squared_deviation squared_deviation_to_refine(Face_handle f, const Oracle& oracl
   if(!has_divisible_edge(f, limits))
     return worst;
   for(int i = 0; i < 3; ++i) {
-    if(f->is_constrained(i) || f->is_close(i))
+    if(f->is_constrained(i))
       continue;
+    if(f->is_close(i)) {
+      worst.include(squared_deviation_of_close_edge(f, i, limits));
+      continue;
+    }
     const double squared_length = squared_length_in_space(f, i);
     const bool is_divisible = squared_length > limits.squared_divisible_edge;
     if(!is_divisible && !(limits.squared_distance > 0))
@@ -202,14 +218,14 @@ Squared_deviation squared_deviation_to_refine(Face_handle f, const Oracle& oracl
   return worst;
 }
 
-// The largest deviation at all edges that are not known to be close to the surface.
+// The largest deviation at all edges.
 template <class Face_handle, class Oracle>
 Squared_deviation squared_deviation_of_edges(Face_handle f, const Oracle& oracle, const Deviation_limits& limits)
 {
   Squared_deviation worst;
   for(int i = 0; i < 3; ++i)
-    if(!f->is_close(i))
-      worst.include(squared_deviation_of_edge(f, i, squared_length_in_space(f, i), oracle, limits));
+    worst.include(f->is_close(i) ? squared_deviation_of_close_edge(f, i, limits)
+                                 : squared_deviation_of_edge(f, i, squared_length_in_space(f, i), oracle, limits));
   return worst;
 }
 
@@ -285,7 +301,8 @@ private:
   }
 };
 
-// The largest squared distance of the surface inside a triangle from its plane: at its centroid, and if that or the height at the edges is close to the limit at more places.
+// The largest squared distance of the surface inside a triangle from its plane: at its centroid, and if that or the height at
+// the edges is close to the limit at more places.
 template <class Face_handle, class Oracle>
 double squared_distance_inside(Face_handle f, const Oracle& oracle, const Deviation_limits& limits, double squared_at_edges)
 {

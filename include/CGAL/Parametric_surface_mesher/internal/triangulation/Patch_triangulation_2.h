@@ -89,14 +89,15 @@ class alignas(64) Patch_face_base_2
 
   struct Bits
   {
-    std::uint8_t close_edges : 3; // one each
+    std::uint8_t close_edges : 3;      // one each
+    std::uint8_t edges_near_limit : 3; // one each
     std::uint8_t is_waiting : 1;
   };
 
   // In an order without gaps, from the byte on that constraints leave: a face has 64 bytes.
   std::uint8_t m_nesting_level = 0;
   std::uint32_t m_stamp = 0, m_number = no_number;
-  Bits m_bits = {0, 0};
+  Bits m_bits = {0, 0, 0};
   Front_mark m_front_mark = Front_mark::NONE;
   Verdict m_verdict;
 
@@ -139,11 +140,16 @@ public:
   bool is_close(int i) const { return (m_bits.close_edges >> i & 1) != 0; }
   void set_close(int i) { m_bits.close_edges = std::uint8_t(m_bits.close_edges | 1 << i) & 7; }
 
+  // Whether edge `i` is known to be nearly as far from the surface as the distance allows.
+  bool is_near_limit(int i) const { return (m_bits.edges_near_limit >> i & 1) != 0; }
+  void set_near_limit(int i) { m_bits.edges_near_limit = std::uint8_t(m_bits.edges_near_limit | 1 << i) & 7; }
+
   // Must be called when vertices of the face have changed.
   void touch()
   {
     ++m_stamp;
     m_bits.close_edges = 0;
+    m_bits.edges_near_limit = 0;
     m_front_mark = Front_mark::NONE;
     m_verdict = Verdict();
   }
@@ -151,9 +157,11 @@ public:
   // Must be called when vertex `i` alone has changed. The edge opposite to it is as close to the surface as before.
   void touch_by_vertex(int i)
   {
-    const std::uint8_t close_edge = m_bits.close_edges & std::uint8_t(1 << i);
+    const std::uint8_t close_edge = m_bits.close_edges & std::uint8_t(1 << i),
+                       edge_near_limit = m_bits.edges_near_limit & std::uint8_t(1 << i);
     touch();
     m_bits.close_edges = close_edge & 7;
+    m_bits.edges_near_limit = edge_near_limit & 7;
   }
 };
 
