@@ -47,7 +47,7 @@ Handle(Geom_BSplineSurface) wavy_surface()
   for(int i = 1; i <= 15; ++i)
     for(int j = 1; j <= 15; ++j)
       points(i, j) = gp_Pnt(0.4 * i, 0.4 * j, 0.3 * std::sin(0.8 * i) * std::cos(0.7 * j));
-  return GeomAPI_PointsToBSplineSurface(points).Surface();
+  return GeomAPI_PointsToBSplineSurface(points, 3, 3, GeomAbs_C2, 0.01).Surface();
 }
 
 // two faces on one surface, with a gap between them, and their images by a location
@@ -73,10 +73,10 @@ void check_ten_runs(const Handle(Geom_Surface) & surface, double u_min, double u
   ASSERT_EQ(4u, shape.model.faces().size());
   for(const auto& face : shape.model.faces())
     ASSERT_TRUE(face.surface.is_evaluated_by_open_cascade());
-  const auto criteria = CGAL::Parametric_surface_mesh_criteria().set_max_edge(shape.diagonal / 100).set_part_size(200);
+  const auto criteria = CGAL::Parametric_surface_mesh_criteria().set_max_edge(shape.diagonal / 60).set_gamma(0.3).set_part_size(100);
   Mesh sequential;
   CGAL::make_parametric_surface_mesh(shape.model, criteria, sequential);
-  ASSERT_GT(sequential.number_of_faces(), 8 * 200u);
+  ASSERT_GT(sequential.number_of_faces(), 8 * 100u);
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 4);
   for(int run = 0; run < 10; ++run) {
     SCOPED_TRACE(run);

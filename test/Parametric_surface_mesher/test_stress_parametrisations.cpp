@@ -261,7 +261,7 @@ void check_wild(const Wild_case& c, double size)
   EXPECT_NEAR(1, m.area / area, 0.02);
   const double number = integrals.number_of_triangles_by_lines(max_edge, m.report.min_edge / c.unit, 0.05);
   EXPECT_LE(m.triangles.size(), 4 * number + 2000);
-  EXPECT_LE(number_of_unmet_but_at_short_edges(m.report), c.max_share_of_unmet * m.triangles.size() + 20);
+  EXPECT_LE(number_of_unmet_but_at_fixed_edges(m.report), c.max_share_of_unmet * m.triangles.size() + 20);
   EXPECT_TRUE(!c.is_singular || m.report.number_of_replaced_tensors > 0);
 }
 
@@ -321,7 +321,7 @@ Meshed mesh_split(const Spline& spline, double max_edge)
   const Meshed m = mesh_and_check(split(spline), Criteria().set_max_edge(max_edge));
   expect_topology(m, 1, 1, 1);
   expect_distinct_points(m.mesh);
-  EXPECT_LE(number_of_unmet_but_at_short_edges(m.report), m.triangles.size() / 100 + 2);
+  EXPECT_LE(number_of_unmet_but_at_fixed_edges(m.report), m.triangles.size() / 100 + 2);
   EXPECT_NEAR(1, m.area / area_of(spline), 0.01);
   return m;
 }
