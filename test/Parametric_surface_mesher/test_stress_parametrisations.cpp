@@ -121,7 +121,7 @@ std::vector<Wild_case> singular_cases()
                      using std::sin;
                      return point(u * u * u * u * u, v, 0.2 * sin(3 * v));
                    }),
-                   -1, 1, -1, 1, true),
+                   -1, 1, -1, 1, true, 0.03), // repair reaches its bound beside the line without speed
     over_rectangle("zero_along_a_side",
                    function_surface([](auto u, auto v) { return point(u * u, v, 0.3 * v * v); }), 0, 1,
                    0, 1, true),
