@@ -15,6 +15,8 @@
 #include <CGAL/Surface_curvature_3.h>
 #include <CGAL/Surface_jet_3.h>
 
+#include <CGAL/number_type_basic.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
