@@ -141,6 +141,13 @@ void check_like_new(const Oracle& oracle, const Loops& loops, const Boundary& bo
 
 } // namespace
 
+// Sweeps over a large patch wait for memory: a face that does not fit into a line of the cache costs a tenth of all time.
+TEST(Patch_triangulation, has_faces_of_a_cache_line)
+{
+  EXPECT_EQ(sizeof(void*) == 8 ? 64u : sizeof(internal::Patch_triangulation_2<Kernel>::Face),
+            sizeof(internal::Patch_triangulation_2<Kernel>::Face));
+}
+
 // Under one tensor the constrained Delaunay triangulation of points in general position is unique.
 TEST(Triangulated_boundary, follows_the_division)
 {

@@ -37,7 +37,7 @@ template <class Triangulation>
 void set_nesting_levels(Triangulation& triangulation)
 {
   typedef typename Triangulation::Face_handle Face_handle;
-  const int unknown = 255;
+  const int unknown = Triangulation::Face::largest_nesting_level;
   for(Face_handle face : triangulation.all_face_handles())
     face->set_nesting_level(unknown);
   std::vector<Face_handle> level(1, triangulation.infinite_face()), next;
