@@ -83,6 +83,9 @@ struct Parametric_surface_mesh_report
   std::vector<Unmet> unmet;                ///< every triangle that fails a criterion
   /// whether the visitor has stopped meshing before it was done
   bool is_stopped = false;
+  /// triangles that were not compared with the surface, because the visitor has stopped meshing: they may fail the criteria of
+  /// deviation and distance though they are not among the unmet
+  std::size_t number_of_unjudged_faces = 0;
   std::vector<Left_out_face> left_out;     ///< faces of the model that could not be meshed, by their indices
   Seconds seconds;
 

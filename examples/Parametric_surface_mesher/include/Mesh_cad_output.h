@@ -153,6 +153,7 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"distance", m.distance},
           {"distance_over_diagonal", m.distance / result.shape.diagonal},
           {"unmet_by", mesh_patch::json_of_unmet(result.report)},
+          {"unjudged", result.report.number_of_unjudged_faces},
           {"work_limits", result.report.number_of_work_limits},
           {"seconds", {{"reading", result.reading_seconds}, {"model", result.model_seconds},
                        {"meshing", result.meshing_seconds}, {"measuring", result.measuring_seconds}}},

@@ -121,6 +121,7 @@ inline nlohmann::ordered_json json_of_report(const CGAL::Parametric_surface_mesh
           {"boundary_limited", boundary_limited},
           {"unmet", report.unmet.size() - boundary_limited},
           {"unmet_by", json_of_unmet(report)},
+          {"unjudged", report.number_of_unjudged_faces},
           {"work_limits", report.number_of_work_limits},
           {"seconds", {{"division", s.division}, {"triangulation", s.triangulation}, {"refinement", s.refinement},
                        {"improvement", s.improvement}, {"output", s.output}, {"meshing", s.meshing()}}}};

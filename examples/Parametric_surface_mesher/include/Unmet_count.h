@@ -41,11 +41,14 @@ inline std::vector<Unmet_count> unmet_counts(const CGAL::Parametric_surface_mesh
 
 inline void print_unmet(std::ostream& out, const CGAL::Parametric_surface_mesh_report& report)
 {
-  if(report.unmet.empty())
+  if(report.unmet.empty() && report.number_of_unjudged_faces == 0)
     out << "  all triangles meet the criteria\n";
   for(const Unmet_count& count : unmet_counts(report))
     out << "  not met: " << names(count.criteria) << " of " << plural(count.triangles, "triangle") << ", because of the "
         << name(count.cause) << "\n";
+  if(report.number_of_unjudged_faces > 0)
+    out << "  not compared with the surface: " << plural(report.number_of_unjudged_faces, "triangle")
+        << ", because meshing was stopped\n";
   if(report.number_of_work_limits > 0)
     out << "  bounds on the work were reached " << plural(report.number_of_work_limits, "time") << "\n";
 }

@@ -24,6 +24,7 @@ inline void append_report(const Parametric_surface_mesh_report& part, std::size_
   report.seconds += part.seconds;
   report.number_of_replaced_tensors += part.number_of_replaced_tensors;
   report.number_of_work_limits += part.number_of_work_limits;
+  report.number_of_unjudged_faces += part.number_of_unjudged_faces;
   report.number_of_collapsed_faces += part.number_of_collapsed_faces;
   report.smallest_angle = (std::min)(report.smallest_angle, part.smallest_angle);
   report.smallest_angle_off_boundary = (std::min)(report.smallest_angle_off_boundary, part.smallest_angle_off_boundary);

@@ -95,12 +95,12 @@ public:
       return {Mesh_criterion::DEVIATION, deviation.ratio / square(m_limits.gamma), false};
     if(is_inverted(f))
       return {Mesh_criterion::INVERTED, badness_of_inverted, false};
-    if(m_limits.squared_distance > 0) {
-      const double height
-        = (std::max)(deviation.height, has_divisible_edge(f, m_limits)
-                                           ? squared_distance_inside(f, m_oracle, m_limits, deviation.height) : 0);
-      if(height > m_limits.squared_distance)
-        return {Mesh_criterion::DISTANCE, height / m_limits.squared_distance, false};
+    if(!deviation.has_height_within(m_limits))
+      return {Mesh_criterion::DISTANCE, deviation.height / m_limits.squared_distance, false};
+    if(m_limits.squared_distance > 0 && has_divisible_edge(f, m_limits)) {
+      const double inside = squared_distance_inside(f, m_oracle, m_limits);
+      if(inside > m_limits.squared_distance)
+        return {Mesh_criterion::DISTANCE, inside / m_limits.squared_distance, false};
     }
     return {};
   }
@@ -126,19 +126,40 @@ public:
     return failed_by_shape(f) | failed_by_deviation(f);
   }
 
+  // those of them that take no evaluation of the surface
+  template <class Face_handle>
+  Criterion_set failed_by_shape(Face_handle f) const
+  {
+    Criterion_set result;
+    const Shape shape = this->shape(f);
+    if(!has_good_size(shape))
+      result |= Mesh_criterion::SIZE;
+    if(!has_good_angle(shape))
+      result |= Mesh_criterion::ANGLE;
+    if(m_criterion(f, m_oracle) > 1)
+      result |= Mesh_criterion::USER;
+    return result;
+  }
+
   // those of them that are judged by the surface
   template <class Face_handle>
   Criterion_set failed_by_deviation(Face_handle f) const
   {
-    Criterion_set result;
-    const Squared_deviation deviation = squared_deviation_of_edges(f, m_oracle, m_limits);
-    if(!deviation.has_ratio_within(m_limits))
-      result |= Mesh_criterion::DEVIATION;
+    Criterion_set result = failed_at_edges(f);
     if(is_inverted(f))
       result |= Mesh_criterion::INVERTED;
-    if(!deviation.has_height_within(m_limits)
-       || (m_limits.squared_distance > 0
-           && squared_distance_inside(f, m_oracle, m_limits, deviation.height) > m_limits.squared_distance))
+    if(is_too_far_inside(f))
+      result |= Mesh_criterion::DISTANCE;
+    return result;
+  }
+
+  // Those that a face fails which refinement has found nothing against: at the edges that refinement does not look at, and, if
+  // there is no other edge, inside.
+  template <class Face_handle>
+  Criterion_set failed_at_other_edges(Face_handle f) const
+  {
+    Criterion_set result = failed_at_edges(f);
+    if(!has_divisible_edge(f, m_limits) && is_too_far_inside(f))
       result |= Mesh_criterion::DISTANCE;
     return result;
   }
@@ -151,6 +172,25 @@ public:
   }
 
 private:
+  // by deviation and distance, as far as they are not known to be close to the surface
+  template <class Face_handle>
+  Criterion_set failed_at_edges(Face_handle f) const
+  {
+    const Squared_deviation deviation = squared_deviation_of_edges(f, m_oracle, m_limits);
+    Criterion_set result;
+    if(!deviation.has_ratio_within(m_limits))
+      result |= Mesh_criterion::DEVIATION;
+    if(!deviation.has_height_within(m_limits))
+      result |= Mesh_criterion::DISTANCE;
+    return result;
+  }
+
+  template <class Face_handle>
+  bool is_too_far_inside(Face_handle f) const
+  {
+    return m_limits.squared_distance > 0 && squared_distance_inside(f, m_oracle, m_limits) > m_limits.squared_distance;
+  }
+
   template <class Face_handle>
   Shape shape(Face_handle f) const
   {
@@ -168,20 +208,6 @@ private:
 
   static bool has_good_size(const Shape& shape) { return shape.product < shape.largest_product; }
   bool has_good_angle(const Shape& shape) const { return 4 * m_squared_sine * shape.product <= shape.sine; }
-
-  template <class Face_handle>
-  Criterion_set failed_by_shape(Face_handle f) const
-  {
-    Criterion_set result;
-    const Shape shape = this->shape(f);
-    if(!has_good_size(shape))
-      result |= Mesh_criterion::SIZE;
-    if(!has_good_angle(shape))
-      result |= Mesh_criterion::ANGLE;
-    if(m_criterion(f, m_oracle) > 1)
-      result |= Mesh_criterion::USER;
-    return result;
-  }
 };
 
 } // namespace internal

@@ -50,8 +50,9 @@ public:
     : m_triangulation(triangulation), m_boundary(boundary), m_part(part), m_report(report)
   {}
 
-  // \pre all faces have their last verdicts
-  void operator()(bool keeps_domain_points, bool keeps_corner_points)
+  // `judge`: gives a face its last verdict
+  template <class Judge>
+  void operator()(bool keeps_domain_points, bool keeps_corner_points, const Judge& judge)
   {
     append_vertices(keeps_domain_points);
     m_part.faces.reserve(m_triangulation.number_of_faces());
@@ -63,6 +64,7 @@ public:
         ++m_report.number_of_collapsed_faces;
         return;
       }
+      judge(face);
       note(face);
       append(face);
       if(keeps_corner_points)
@@ -144,6 +146,8 @@ private:
     const double squared_sine = squared_smallest_sine_in_space(face);
     const Verdict verdict = face->verdict();
     m_squared_sine = (std::min)(m_squared_sine, squared_sine);
+    if(verdict.scope() != Scope::WHOLE)
+      ++m_report.number_of_unjudged_faces;
     if(verdict.fails())
       m_report.unmet.push_back({m_part.faces.size(), verdict.failed(), verdict.refusal()});
     if(!verdict.fails(Mesh_criterion::ANGLE) || verdict.refusal() != Unmet_cause::BOUNDARY)

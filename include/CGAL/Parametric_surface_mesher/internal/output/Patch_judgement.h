@@ -11,7 +11,6 @@
 #include <CGAL/Parametric_surface_mesher/Mesh_criterion.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
-#include <CGAL/Parametric_surface_mesher/internal/triangulation/for_each_with_lookahead.h>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -25,32 +24,20 @@ class Patch_judgement
   typedef Patch_triangulation_2<Kernel> Triangulation;
   typedef typename Triangulation::Face_handle Face_handle;
 
-  Triangulation& m_triangulation;
   const Judge& m_judge;
   Refinement& m_refinement; // tells why faces were left
 
 public:
-  Patch_judgement(Triangulation& triangulation, const Judge& judge, Refinement& refinement)
-    : m_triangulation(triangulation), m_judge(judge), m_refinement(refinement)
-  {}
+  Patch_judgement(const Judge& judge, Refinement& refinement) : m_judge(judge), m_refinement(refinement) {}
 
-  void operator()()
+  void operator()(Face_handle face) const
   {
-    for_each_face_with_lookahead(m_triangulation, [this](Face_handle face) {
-      if(face->is_in_domain() && !is_collapsed(face))
-        judge(face);
-    });
-  }
-
-private:
-  void judge(Face_handle face)
-  {
-    if(face->verdict().scope() != Scope::WHOLE) // split since it was refined, or refinement was stopped
+    if(face->verdict().scope() != Scope::WHOLE) // split since it was refined
       face->set_verdict({m_judge.first_failed(face), Scope::WHOLE});
     const Verdict before = face->verdict();
     if(before.meets(Scope::WHOLE) && can_refine_all_edges(face))
       return;
-    const Criterion_set failed = before.fails() ? m_judge.failed(face) : m_judge.failed_by_deviation(face);
+    const Criterion_set failed = before.fails() ? m_judge.failed(face) : m_judge.failed_at_other_edges(face);
     face->set_verdict({failed, Scope::WHOLE});
     if(before.is_refused())
       face->refuse(before.refusal());
@@ -60,6 +47,20 @@ private:
       face->refuse(cause_at_edges(face));
   }
 
+  // The same on a patch that was not finished: who has stopped it does not want to wait for evaluations of the surface, so
+  // faces are judged by their shapes alone unless they were judged whole before.
+  void judge_after_stop(Face_handle face) const
+  {
+    const Verdict before = face->verdict();
+    if(before.scope() == Scope::WHOLE && !before.fails())
+      return;
+    Verdict verdict(before.failed() | m_judge.failed_by_shape(face), before.scope() == Scope::WHOLE ? Scope::WHOLE : Scope::SHAPE);
+    if(verdict.fails())
+      verdict.refuse(before.is_refused() ? before.refusal() : Unmet_cause::STOPPED);
+    face->set_verdict(verdict);
+  }
+
+private:
   bool can_refine_all_edges(Face_handle face) const
   {
     return m_judge.can_refine(face, 0) && m_judge.can_refine(face, 1) && m_judge.can_refine(face, 2);

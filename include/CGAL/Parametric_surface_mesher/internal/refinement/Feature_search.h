@@ -13,6 +13,7 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Inner_points.h>
 #include <CGAL/Parametric_surface_mesher/internal/surfaces/feature_lines.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/for_each_with_lookahead.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 #include <CGAL/Parametric_surface_oracle_3.h>
 #include <CGAL/number_utils.h>
@@ -146,12 +147,13 @@ private:
   std::vector<Place> missed_places() const
   {
     std::vector<Place> result;
-    for(Face_handle face : m_triangulation.finite_face_handles())
-      if(face->is_in_domain() && !is_collapsed(face)) {
-        const Place place = missed_place(face);
-        if(place.squared_height > 0)
-          result.push_back(place);
-      }
+    for_each_face_with_lookahead(m_triangulation, [&](Face_handle face) {
+      if(!face->is_in_domain() || is_collapsed(face))
+        return;
+      const Place place = missed_place(face);
+      if(place.squared_height > 0)
+        result.push_back(place);
+    });
     std::sort(result.begin(), result.end(), [](const Place& p, const Place& q) { return p.point < q.point; });
     return result;
   }
