@@ -19,12 +19,12 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
-const double turn = 8 * std::atan(1.), height = 1.5;
+const double turn = 8 * std::atan(1.), tin_height = 1.5;
 
 // The faces of a model have surfaces of one type: one that holds any surface.
 typedef CGAL::Any_parametric_surface_3<Kernel> Surface;
 
-const Surface side = CGAL::make_parametric_function_surface([](auto u, auto v) {
+const Surface side_of_tin = CGAL::make_parametric_function_surface([](auto u, auto v) {
   using std::cos;
   using std::sin;
   return CGAL::parametric_surface_point(cos(u), sin(u), v);
@@ -42,13 +42,13 @@ int main()
   typedef Kernel::Point_2 Point_2;
 
   Model model;
-  const std::size_t below = model.add_vertex({1, 0, 0}), above = model.add_vertex({1, 0, height});
+  const std::size_t below = model.add_vertex({1, 0, 0}), above = model.add_vertex({1, 0, tin_height});
   const std::size_t bottom = model.add_edge(below, below), top = model.add_edge(above, above),
                     seam = model.add_edge(below, above);
 
   // The side: once around, up the seam, back around, down the seam. All uses of an edge have the same parameters along it.
-  const Point_2 a(0, 0), b(turn, 0), c(turn, height), d(0, height);
-  model.add_face({side,
+  const Point_2 a(0, 0), b(turn, 0), c(turn, tin_height), d(0, tin_height);
+  model.add_face({side_of_tin,
                   {{{bottom, false, Curve::segment(a, b)},
                     {seam, false, Curve::segment(b, c)},
                     {top, true, Curve::segment(d, c)},
@@ -60,7 +60,7 @@ int main()
     return std::make_pair(cos(turn * t), sin(turn * t));
   }, 0, 1);
   model.add_face({lid(0), {{{bottom, false, circle}}}});
-  model.add_face({lid(height), {{{top, false, circle}}}});
+  model.add_face({lid(tin_height), {{{top, false, circle}}}});
   CGAL::Parametric_surface_mesher::orient_faces(model); // the lower lid is turned over: a closed model faces outward
 
   Mesh mesh;

@@ -387,8 +387,8 @@ TEST(User_metric_field, decides_the_shape)
     stretched.point(v) = Point_3(p.x(), p.y(), 4 * p.z());
   }
   const auto unmet = unmet_by_face(report);
-  // nearly all because of the boundary, which is divided without this metric
-  EXPECT_LE(9 * unmet.size(), 10 * report.count(CGAL::Parametric_surface_mesher::Unmet_cause::BOUNDARY));
+  // all because of the boundary, which is divided without this metric
+  EXPECT_EQ(unmet.size(), report.count(CGAL::Parametric_surface_mesher::Unmet_cause::BOUNDARY));
   EXPECT_LE(unmet.size(), mesh.number_of_faces() / 50);
   for(const auto f : stretched.faces())
     EXPECT_TRUE(unmet.count(f) == 1 || shape(stretched, f).min_angle >= 30 - 1e-9) << f;

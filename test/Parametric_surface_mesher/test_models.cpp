@@ -120,7 +120,7 @@ TEST(Models, teapot)
     const Meshed_model m = mesh_patches(patches, max_edge);
     expect_topology(m, 4, 7, 1); // lid, and body, handle and spout with two openings each
     EXPECT_GT(m.quality.min_angle, 5);
-    EXPECT_LE(number_of_unmet_but_at_fixed_edges(m.report), m.mesh.number_of_faces() / 200);
+    EXPECT_LE(number_of_unmet_but_at_short_edges(m.report), m.mesh.number_of_faces() / 200);
     EXPECT_LE(m.report.count(CGAL::Parametric_surface_mesher::Unmet_cause::NO_BETTER_POINT), m.mesh.number_of_faces() / 2000);
   }
 }

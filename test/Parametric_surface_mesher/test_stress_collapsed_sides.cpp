@@ -45,7 +45,7 @@ void expect_good(const Meshed& m, const Surface_integrals& integrals, double max
   expect_distinct_points(m.mesh);
   EXPECT_NEAR(1, m.area / integrals.area, 0.04);
   EXPECT_LE(m.triangles.size(), 10 * integrals.number_of_triangles(max_edge, m.report.min_edge, 0.05) + 500);
-  EXPECT_LE(number_of_unmet_but_at_fixed_edges(m.report), m.triangles.size() / 20 + 6);
+  EXPECT_LE(number_of_unmet_but_at_short_edges(m.report), m.triangles.size() / 20 + 6);
 }
 
 Meshed mesh_patch_and_check(const Patch& patch, double max_edge)
@@ -212,7 +212,7 @@ TEST(Needles, around_the_apex)
       SCOPED_TRACE(half_angle);
       const Meshed m = mesh_and_check(model_of_patches({cone(half_angle, 2 * pi)}), Criteria().set_max_edge(max_edge));
       expect_topology(m, 1, 1, 1);
-      EXPECT_LE(number_of_unmet_but_at_fixed_edges(m.report), 12u);
+      EXPECT_LE(number_of_unmet_but_at_short_edges(m.report), 12u);
     }
 }
 
@@ -323,7 +323,7 @@ TEST_P(Collapsed_sides, two_adjacent_ones)
     expect_distinct_points(m.mesh);
     expect_topology(m, 1, 1, 1);
     EXPECT_LE(m.triangles.size(), 25000u);
-    EXPECT_LE(number_of_unmet_but_at_fixed_edges(m.report), 60u);
+    EXPECT_LE(number_of_unmet_but_at_short_edges(m.report), 60u);
     EXPECT_GE(number_of_triangles_at(m, corner), 1u);
     EXPECT_LE(number_of_triangles_at(m, corner), 4u);
   }
@@ -350,7 +350,7 @@ TEST(Lid_of_teapot, patches_together)
     EXPECT_EQ(patches.size() / 4, m.topology.components);
     EXPECT_EQ(patches.size() / 4, m.topology.border_cycles);
     EXPECT_EQ(patches.size() / 4, std::size_t(m.topology.euler_characteristic));
-    EXPECT_LE(number_of_unmet_but_at_fixed_edges(m.report), m.triangles.size() / 50 + 4);
+    EXPECT_LE(number_of_unmet_but_at_short_edges(m.report), m.triangles.size() / 50 + 4);
   }
 }
 

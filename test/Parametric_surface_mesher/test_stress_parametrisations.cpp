@@ -121,7 +121,7 @@ std::vector<Wild_case> singular_cases()
                      using std::sin;
                      return point(u * u * u * u * u, v, 0.2 * sin(3 * v));
                    }),
-                   -1, 1, -1, 1, true, 0.03), // repair reaches its bound beside the line without speed
+                   -1, 1, -1, 1, true),
     over_rectangle("zero_along_a_side",
                    function_surface([](auto u, auto v) { return point(u * u, v, 0.3 * v * v); }), 0, 1,
                    0, 1, true),
@@ -261,7 +261,7 @@ void check_wild(const Wild_case& c, double size)
   EXPECT_NEAR(1, m.area / area, 0.02);
   const double number = integrals.number_of_triangles_by_lines(max_edge, m.report.min_edge / c.unit, 0.05);
   EXPECT_LE(m.triangles.size(), 4 * number + 2000);
-  EXPECT_LE(number_of_unmet_but_at_fixed_edges(m.report), c.max_share_of_unmet * m.triangles.size() + 20);
+  EXPECT_LE(number_of_unmet_but_at_short_edges(m.report), c.max_share_of_unmet * m.triangles.size() + 20);
   EXPECT_TRUE(!c.is_singular || m.report.number_of_replaced_tensors > 0);
 }
 
@@ -321,7 +321,7 @@ Meshed mesh_split(const Spline& spline, double max_edge)
   const Meshed m = mesh_and_check(split(spline), Criteria().set_max_edge(max_edge));
   expect_topology(m, 1, 1, 1);
   expect_distinct_points(m.mesh);
-  EXPECT_LE(number_of_unmet_but_at_fixed_edges(m.report), m.triangles.size() / 100 + 2);
+  EXPECT_LE(number_of_unmet_but_at_short_edges(m.report), m.triangles.size() / 100 + 2);
   EXPECT_NEAR(1, m.area / area_of(spline), 0.01);
   return m;
 }

@@ -66,7 +66,7 @@ void check_against(const Model& model, const Expected& expected, const Criteria&
   expect_distinct_points(m.mesh);
   EXPECT_NEAR(1, m.area / expected.area(), tolerance);
   EXPECT_LE(m.triangles.size(), 3 * expected.number_of_triangles(m.report, criteria.gamma()) + 300);
-  EXPECT_LE(number_of_unmet_but_at_fixed_edges(m.report), m.triangles.size() / 20 + 10);
+  EXPECT_LE(number_of_unmet_but_at_short_edges(m.report), m.triangles.size() / 20 + 10);
   EXPECT_NEAR(1, expected.border_cycles == 0 ? m.volume() / expected.volume() : 1, tolerance);
 }
 

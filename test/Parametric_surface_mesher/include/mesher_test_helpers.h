@@ -170,16 +170,14 @@ inline std::map<std::size_t, Report::Unmet> unmet_by_face(const Report& report)
   return result;
 }
 
-// The triangles that fail a criterion, apart from those that are too far from the surface only at edges that are on the boundary or
-// too short to be divided.
-inline std::size_t number_of_unmet_but_at_fixed_edges(const Report& report)
+// The triangles that fail a criterion, apart from those that are too far from the surface and are left so only because their edges
+// are too short to be divided.
+inline std::size_t number_of_unmet_but_at_short_edges(const Report& report)
 {
   using namespace CGAL::Parametric_surface_mesher;
-  return std::size_t(std::count_if(report.unmet.begin(), report.unmet.end(), [](const Report::Unmet& unmet) {
-    const Criterion_set& failed = unmet.criteria;
-    return (unmet.cause != Unmet_cause::MINIMUM_EDGE && unmet.cause != Unmet_cause::BOUNDARY) || failed.contains(Mesh_criterion::SIZE)
-           || failed.contains(Mesh_criterion::ANGLE) || failed.contains(Mesh_criterion::USER)
-           || failed.contains(Mesh_criterion::INVERTED);
+  const Criterion_set by_deviation = Criterion_set(Mesh_criterion::DEVIATION) | Mesh_criterion::DISTANCE;
+  return std::size_t(std::count_if(report.unmet.begin(), report.unmet.end(), [&](const Report::Unmet& unmet) {
+    return unmet.cause != Unmet_cause::MINIMUM_EDGE || (unmet.criteria | by_deviation) != by_deviation;
   }));
 }
 

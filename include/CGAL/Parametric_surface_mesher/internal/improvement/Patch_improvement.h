@@ -47,6 +47,7 @@ class Patch_improvement
   Patch_progress& m_progress;
   double m_share_of_moves = 0;    // of the vertices, in the last sweep; 0 if there was none
   std::size_t m_number_of_work_limits = 0;
+  bool m_has_new_failures = false;
 
 public:
   Patch_improvement(Triangulation& triangulation, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria,
@@ -68,7 +69,11 @@ public:
   {
     Patch_repair<Evaluator, Judge> repair(m_triangulation, m_evaluate, judge, m_criteria);
     m_number_of_work_limits = repair([has_time = clock(), this] { return m_progress.go_further() && has_time(); });
+    m_has_new_failures = repair.has_new_failures();
   }
+
+  // Whether the last repair has left faces that fail a criterion and are new to refinement.
+  bool has_new_failures() const { return m_has_new_failures; }
 
   // how many faces the last repair has left because of the bound on its work
   std::size_t number_of_work_limits() const { return m_number_of_work_limits; }

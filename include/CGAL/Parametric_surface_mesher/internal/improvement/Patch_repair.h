@@ -75,6 +75,7 @@ class Patch_repair
   double m_squared_sine, m_squared_sine_of_criterion, m_squared_min_edge;
   double m_least_gain = least_gain; // for the face that is repaired
   bool m_are_poor_few = true;       // of the faces
+  bool m_has_new_failures = false;
   const bool m_is_unfinished;       // for want of vertices: then none is taken out
   Star m_star;
   Face_turning<Evaluator> m_turn_over;
@@ -104,50 +105,63 @@ public:
   Patch_repair& operator=(const Patch_repair&) = delete;
 
   // Each change raises the smallest angle of some faces; the work is bounded all the same. Where the criteria ask for more
-  // than can be, bad faces are many and improvement would take longer than refinement: some are left as they are. A face
-  // that could not be repaired is tried again once something beside it has changed, and not before.
-  // Returns how many faces were left because of that.
+  // than can be, bad faces are many and improvement would take longer than refinement: some are left as they are, those that
+  // fail a criterion last. A face that could not be repaired is tried again once something beside it has changed, and not before.
+  // Returns how many faces that fail the angle were left because of that.
   template <class GoFurther>
   std::size_t operator()(const GoFurther& go_further)
   {
-    return (*this)(go_further, default_max_number_of_attempts + m_triangulation.number_of_faces() / faces_for_attempt);
+    const std::size_t max_number_of_attempts
+      = default_max_number_of_attempts + m_triangulation.number_of_faces() / faces_for_attempt;
+    return (*this)(go_further, max_number_of_attempts, max_number_of_attempts);
   }
 
+  // `attempts_left`: at faces as they come. `attempts_at_failures_left`: at those that fail a criterion, after these
   template <class GoFurther>
-  std::size_t operator()(const GoFurther& go_further, std::size_t max_number_of_attempts)
+  std::size_t operator()(const GoFurther& go_further, std::size_t attempts_left, std::size_t attempts_at_failures_left)
   {
     add_all_poor(go_further);
     if(m_queue.empty())
       return 0;
     for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
       vertex->set_settled(false);
-    std::size_t attempts_left = max_number_of_attempts;
-    while(!m_queue.empty() && attempts_left > 0 && go_further()) {
-      const Face_handle face = take_first();
-      if(face != Face_handle() && is_poor(face)) {
-        if(!repair(face) && face->verdict().is_refused() && face->verdict().refusal() == Unmet_cause::WORK_LIMIT)
-          face->refuse(Unmet_cause::NO_BETTER_POINT); // that limit was for an earlier attempt
-        --attempts_left;
-      }
-    }
-    return give_up_queue();
-  }
-
-private:
-  // What repair could have made better is left because of the bound on the work, whatever refinement has said of it, but for
-  // the limit of vertices: with more of them there might be nothing to repair.
-  std::size_t give_up_queue()
-  {
-    std::size_t result = 0;
+    std::size_t number_of_left = 0;
     while(!m_queue.empty()) {
       const Face_handle face = take_first();
-      if(face == Face_handle() || !face->verdict().fails(Mesh_criterion::ANGLE))
+      if(face == Face_handle() || !is_poor(face))
         continue;
-      if(!m_is_unfinished)
-        face->refuse(Unmet_cause::WORK_LIMIT);
-      ++result;
+      std::size_t& attempts = attempts_left > 0 || !face->verdict().fails() ? attempts_left : attempts_at_failures_left;
+      if(attempts > 0 && go_further()) {
+        --attempts;
+        if(!repair(face))
+          note_unrepaired(face);
+      }
+      else
+        number_of_left += leave(face);
     }
-    return result;
+    return number_of_left;
+  }
+
+  // Whether there are faces that fail a criterion and have become so here: refinement has not looked at them.
+  bool has_new_failures() const { return m_has_new_failures; }
+
+private:
+  void note_unrepaired(Face_handle face)
+  {
+    const Verdict verdict = face->verdict();
+    if(verdict.is_refused() && verdict.refusal() == Unmet_cause::WORK_LIMIT)
+      face->refuse(Unmet_cause::NO_BETTER_POINT); // that limit was for an earlier attempt
+    m_has_new_failures = m_has_new_failures || (verdict.fails() && !verdict.is_refused());
+  }
+
+  // What repair could have made better is left because of the bound on the work, whatever refinement has said of it, but for
+  // the limit of vertices: with more of them there might be nothing to repair. Tells whether the face fails the angle.
+  bool leave(Face_handle face)
+  {
+    const bool fails_angle = face->verdict().fails(Mesh_criterion::ANGLE);
+    if(fails_angle && !m_is_unfinished)
+      face->refuse(Unmet_cause::WORK_LIMIT);
+    return fails_angle;
   }
 
   // \pre there is a verdict on the face

@@ -127,12 +127,15 @@ public:
       m_refine(Scope::WHOLE);
       refine_at_features();
     });
-    m_report.number_of_replaced_tensors += m_refine.number_of_replaced_tensors();
-    m_report.number_of_work_limits += m_refine.number_of_work_limits();
     in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_judge); });
+    if(improve.has_new_failures()) {
+      in_phase("refinement", m_report.seconds.refinement, [&] { m_refine(Scope::WHOLE); });
+      in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_judge); });
+    }
     if(improve.has_polishing())
       in_phase("polishing", m_report.seconds.improvement, [&] { improve.polish(m_judge); });
-    m_report.number_of_work_limits += improve.number_of_work_limits();
+    m_report.number_of_replaced_tensors += m_refine.number_of_replaced_tensors();
+    m_report.number_of_work_limits += m_refine.number_of_work_limits() + improve.number_of_work_limits();
   }
 
   // whether the visitor has stopped the run before the patch was done
@@ -158,11 +161,13 @@ public:
     report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
     report.number_of_work_limits += m_report.number_of_work_limits;
     Phase_timer timer(report.seconds.output);
-    Patch_judgement<Kernel, Judge, Refinement> judge(m_triangulation, m_judge, m_refine);
-    judge();
+    Patch_judgement<Kernel, Judge, Refinement> judge(m_judge, m_refine);
     Partial_mesh<Kernel> part;
     Patch_collector<Kernel> collect(m_triangulation, m_boundary, part, report);
-    collect(keeps_domain_points, keeps_corner_points);
+    if(is_stopped())
+      collect(keeps_domain_points, keeps_corner_points, [&](auto face) { judge.judge_after_stop(face); });
+    else
+      collect(keeps_domain_points, keeps_corner_points, judge);
     return part;
   }
 
