@@ -19,6 +19,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_curves.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -44,8 +45,12 @@ class Loop_closer
 
   // Ends of curves are joined up to so many times the tolerances of the file, which are often exceeded.
   static constexpr double tolerance_factor = 10;
-  // A collapsed side whose other coordinate changes by less than this share is parallel to an axis up to rounding.
-  static constexpr double slope_of_straight_side = 1e-6;
+  // A collapsed side whose other coordinate changes by less than this share is parallel to an axis up to rounding; one with less
+  // than the second share, if the surface collapses on the side parallel to the axis, too.
+  static constexpr double slope_of_straight_side = 1e-6, slope_of_slanted_side = 1e-2;
+  // A surface collapses on a segment of its domain whose image is shorter than this share of what the segment would be long at
+  // the mean speed of the parameters along the boundary. On a pole the share is 0, in a gap between curves it is about 1.
+  static constexpr double collapsed_share = 0.05;
   // Squared ratio of derivatives: below, a point is at a pole up to rounding.
   static constexpr double squared_ratio_at_pole = 1e-12;
   // Limits, as shares of the domain, of a tolerance that is converted to the domain: roundings are above the first, and points
@@ -75,6 +80,7 @@ public:
   // \pre each use of a loop begins at the vertex where the one before it ends
   void operator()(std::vector<Loop>& loops)
   {
+    measure(loops);
     for(Loop& loop : loops)
       for(Edge_use& use : loop)
         straighten_collapsed(use);
@@ -106,16 +112,33 @@ private:
     use.is_reversed ? use.curve.set_end_points(p, use.curve.target()) : use.curve.set_end_points(use.curve.source(), p);
   }
 
-  // Makes a collapsed side exactly parallel to an axis if it is so up to rounding.
+  // Makes a collapsed side exactly parallel to an axis if it is so up to rounding, or up to the tolerance of its vertex.
   void straighten_collapsed(Edge_use& use) const
   {
     if(!edge(use).is_collapsed)
       return;
     const Point_2 p = use.curve.source(), q = use.curve.target();
     const double du = std::fabs(q.x() - p.x()), dv = std::fabs(q.y() - p.y());
-    use.curve = Curve::segment(p, dv < slope_of_straight_side * du   ? Point_2(q.x(), p.y())
-                                                 : du < slope_of_straight_side * dv ? Point_2(p.x(), q.y())
-                                                                  : q);
+    if(dv < slope_of_straight_side * du)
+      use.curve = Curve::segment(p, Point_2(q.x(), p.y()));
+    else if(du < slope_of_straight_side * dv)
+      use.curve = Curve::segment(p, Point_2(p.x(), q.y()));
+    else if(dv < slope_of_slanted_side * du)
+      straighten_slanted(use, {Curve::segment(p, Point_2(q.x(), p.y())), Curve::segment(Point_2(p.x(), q.y()), q)});
+    else if(du < slope_of_slanted_side * dv)
+      straighten_slanted(use, {Curve::segment(p, Point_2(p.x(), q.y())), Curve::segment(Point_2(q.x(), p.y()), q)});
+    else
+      use.curve = Curve::segment(p, q);
+  }
+
+  // Of the sides through either end of a slanted one takes that which is shorter in space, if it is a pole.
+  void straighten_slanted(Edge_use& use, const std::array<Curve, 2>& sides) const
+  {
+    const auto length = [this](const Curve& c) { return length_in_space(c.source(), c.target()); };
+    const Curve& side = length(sides[1]) < length(sides[0]) ? sides[1] : sides[0];
+    const bool is_pole = is_at_vertex(side.source(), side.target(), edge(use).source)
+                         && is_collapsed(side.source(), side.target());
+    use.curve = is_pole ? side : Curve::segment(use.curve.source(), use.curve.target());
   }
 
   static double periods(double difference, double period) { return period > 0 ? std::round(difference / period) : 0; }
@@ -178,11 +201,13 @@ private:
            && std::fabs(p.y() - q.y()) <= limit(m_tolerance_v, m_box.y_span());
   }
 
-  // Removes collapsed sides that are not longer, in the domain, than the tolerance.
+  // Removes collapsed sides that are not longer, in the domain, than the tolerance, or on which the surface does not collapse.
   void remove_short_collapsed(Loop& loop) const
   {
     const auto is_short = [this](const Edge_use& use) {
-      return edge(use).is_collapsed && are_close(use.curve.source(), use.curve.target(), tolerance(edge(use).source));
+      const Point_2 &p = use.curve.source(), &q = use.curve.target();
+      return edge(use).is_collapsed
+             && (are_close(p, q, tolerance(edge(use).source)) || (is_at_vertex(p, q, edge(use).source) && !is_collapsed(p, q)));
     };
     loop.erase(std::remove_if(loop.begin(), loop.end(), is_short), loop.end());
     if(loop.empty())
@@ -200,12 +225,14 @@ private:
     loop.swap(result);
   }
 
-  // Joins the last use of `loop` to `next`, with a collapsed edge between them if there is a pole.
+  // Joins the last use of `loop` to `next`, with a collapsed edge between them if there is a pole. Any other gap that is in the
+  // tolerance of the vertex is closed, however large it is in the domain.
   void join(Loop& loop, Edge_use& next)
   {
     const std::size_t vertex = end_vertex(loop.back());
     Point_2 p = end_point(loop.back()), q = begin_point(next);
-    if(!are_close(p, q, tolerance(vertex)) && is_pole(p, q, vertex)) {
+    const bool is_gap = !are_close(p, q, tolerance(vertex)), is_in_tolerance = is_gap && is_at_vertex(p, q, vertex);
+    if(is_in_tolerance && is_collapsed(p, q)) {
       p = corner(vertex, p);
       q = corner(vertex, q);
       set_end_point(loop.back(), p);
@@ -216,13 +243,23 @@ private:
       set_begin_point(next, end_point(loop.back()));
       return;
     }
-    check_gap(p, q, vertex);
-    const Point_2 r = corner(vertex, rank(next) > rank(loop.back()) ? q : p);
+    if(!is_in_tolerance)
+      check_gap(p, q, vertex);
+    const bool is_next_kept = rank(next) != rank(loop.back()) || !is_gap ? rank(next) > rank(loop.back())
+                                                                         : is_closer(q, p, vertex);
+    const Point_2 r = corner(vertex, is_next_kept ? q : p);
     set_end_point(loop.back(), r);
     set_begin_point(next, r);
   }
 
-  // Of two curves that meet, the end of the one with the higher rank is kept.
+  bool is_closer(const Point_2& p, const Point_2& q, std::size_t vertex) const
+  {
+    const auto squared = [&](const Point_2& x) { return squared_distance(m_surface.point(x.x(), x.y()), m_model.vertices()[vertex]); };
+    return squared(p) < squared(q);
+  }
+
+  // Of two curves that meet, the end of the one with the higher rank is kept; of two with the same rank and a gap between them the
+  // end that is closer to the vertex.
   int rank(const Edge_use& use) const { return edge(use).is_collapsed ? 2 : use.curve.is_straight() ? 1 : 0; }
 
   // Makes loops that touch in a vertex have exactly the same point there.
@@ -235,8 +272,28 @@ private:
     return p;
   }
 
-  // Whether the segment between two domain points is one point in space.
-  bool is_pole(const Point_2& p, const Point_2& q, std::size_t vertex) const
+  // The length of the image of a segment.
+  double length_in_space(const Point_2& p, const Point_2& q) const
+  {
+    double result = 0;
+    const auto point = [&](int i) {
+      const Point_2 x = p + (double(i) / number_of_samples) * (q - p);
+      return m_surface.point(x.x(), x.y());
+    };
+    for(int i = 0; i < number_of_samples; ++i)
+      result += std::sqrt(squared_distance(point(i), point(i + 1)));
+    return result;
+  }
+
+  // Whether the surface makes a segment much shorter than it makes the boundary.
+  bool is_collapsed(const Point_2& p, const Point_2& q) const
+  {
+    const auto length = [](double difference, double per_length) { return per_length > 0 ? std::fabs(difference) / per_length : 0; };
+    return length_in_space(p, q) < collapsed_share * (length(q.x() - p.x(), m_tolerance_u) + length(q.y() - p.y(), m_tolerance_v));
+  }
+
+  // Whether the segment between two domain points is at a vertex in space, up to its tolerance.
+  bool is_at_vertex(const Point_2& p, const Point_2& q, std::size_t vertex) const
   {
     const double squared_tolerance = square(tolerance(vertex));
     for(int i = 0; i <= number_of_samples; ++i) {

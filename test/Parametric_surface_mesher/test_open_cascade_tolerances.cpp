@@ -1,0 +1,126 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shapes whose curves meet only up to the tolerances of their vertices.
+#include "open_cascade_test_helpers.h"
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_Plane.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Dir2d.hxx>
+#include <gp_Lin.hxx>
+#include <gp_Pln.hxx>
+#include <gp_Pnt2d.hxx>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+TopoDS_Vertex vertex_at(const gp_Pnt& p, double tolerance)
+{
+  TopoDS_Vertex result;
+  BRep_Builder().MakeVertex(result, p, tolerance);
+  return result;
+}
+
+// A segment from `p` to `q`, which are the places of its vertices up to their tolerances.
+TopoDS_Edge segment(const TopoDS_Vertex& source, const TopoDS_Vertex& target, const gp_Pnt& p, const gp_Pnt& q)
+{
+  BRep_Builder builder;
+  TopoDS_Edge result;
+  builder.MakeEdge(result, new Geom_Line(p, gp_Dir(gp_Vec(p, q))), 1e-7);
+  builder.Add(result, source.Oriented(TopAbs_FORWARD));
+  builder.Add(result, target.Oriented(TopAbs_REVERSED));
+  builder.Range(result, 0, p.Distance(q));
+  return result;
+}
+
+TopoDS_Face planar_face(const std::vector<TopoDS_Edge>& edges)
+{
+  BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  for(const TopoDS_Edge& edge : edges)
+    builder.Add(wire, edge);
+  TopoDS_Face result;
+  builder.MakeFace(result, new Geom_Plane(gp_Pln()), 1e-7);
+  builder.Add(result, wire);
+  return result;
+}
+
+// A strip, one of whose sides ends this far from the corners.
+TopoDS_Face strip_with_gaps(double gap)
+{
+  const std::vector<gp_Pnt> corners{gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(10, 1, 0), gp_Pnt(0, 1, 0)};
+  std::vector<TopoDS_Vertex> vertices;
+  for(const gp_Pnt& p : corners)
+    vertices.push_back(vertex_at(p, 1.2 * gap));
+  std::vector<TopoDS_Edge> edges;
+  for(std::size_t i = 0; i < 4; ++i) {
+    const double g = i == 1 ? gap : 0;
+    const gp_Pnt &p = corners[i], &q = corners[(i + 1) % 4];
+    edges.push_back(segment(vertices[i], vertices[(i + 1) % 4], p.Translated(gp_Vec(0, g, 0)), q.Translated(gp_Vec(0, -g, 0))));
+  }
+  return planar_face(edges);
+}
+
+// A gap is no pole, whatever share of the domain it is.
+TEST(Tolerances, gaps_between_curves_are_closed)
+{
+  for(double gap : {0.001, 0.01, 0.03, 0.1}) {
+    const Meshed_shape meshed(strip_with_gaps(gap));
+    EXPECT_TRUE(meshed.shape.left_out.empty()) << gap;
+    EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u) << gap;
+    EXPECT_NEAR(meshed.quality.area, 10, gap) << gap;
+    EXPECT_GT(meshed.quality.min_angle, 29) << gap;
+    for(const auto& edge : meshed.shape.model.edges())
+      EXPECT_FALSE(edge.is_collapsed) << gap;
+  }
+}
+
+// A patch whose side v = 0 is a point.
+Handle(Geom_BezierSurface) pointed_surface()
+{
+  TColgp_Array2OfPnt poles(1, 2, 1, 2);
+  poles(1, 1) = poles(2, 1) = gp_Pnt(0, 0, 0);
+  poles(1, 2) = gp_Pnt(10, 0, 0);
+  poles(2, 2) = gp_Pnt(5, 10, 0);
+  return new Geom_BezierSurface(poles);
+}
+
+// The collapsed side of a file is not exactly parallel to an axis of the domain.
+TEST(Tolerances, slanted_poles_are_straightened)
+{
+  BRep_Builder builder;
+  for(double slant : {2e-7, 2e-6, 1e-4}) {
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(pointed_surface(), 1e-6).Face();
+    for(TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(e.Current());
+      if(BRep_Tool::Degenerated(edge)) {
+        builder.UpdateEdge(edge, new Geom2d_Line(gp_Pnt2d(0, 0), gp_Dir2d(1, slant)), face, 1e-7);
+        builder.UpdateVertex(TopExp::FirstVertex(edge), 20 * slant);
+      }
+    }
+    const Meshed_shape meshed(face);
+    EXPECT_TRUE(meshed.shape.left_out.empty()) << slant;
+    EXPECT_NEAR(meshed.quality.area, 50, 1e-2) << slant;
+    EXPECT_GT(meshed.quality.min_angle, 20) << slant;
+  }
+}
+
+} // namespace
