@@ -78,6 +78,10 @@ struct Open_cascade_model_3
 
   std::vector<Left_out_face> left_out; ///< faces that could not be built
   std::vector<Closed_up_face> closed_up; ///< faces too narrow to be meshed; they are not in the model
+  /// faces outside of shells that are in a shell, too: they are meshed with the shell only
+  std::vector<std::size_t> repeated_faces;
+  /// edges of the model along which faces of a shell cannot face to the same side: the mesh of the shell is open there
+  std::vector<std::size_t> turned_edges;
   std::vector<Inner_edge> inner_edges; ///< edges with the orientation `TopAbs_INTERNAL` or `TopAbs_EXTERNAL` in a face
   std::vector<Gap> gaps;               ///< of edges that are less exact than the shape says
   /// the largest distance between an edge and the image of one of its curves, of all edges

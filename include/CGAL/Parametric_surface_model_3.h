@@ -65,6 +65,8 @@ public:
     std::shared_ptr<const Space_curve> curve = nullptr;
     double tolerance = 0; ///< the largest distance between its uses, if that is more than the model's tolerance
     double max_edge = 0;  ///< the longest edge of its division, if that is less than the criteria's; 0 if it has no own one
+    /// whether two faces of a shell may face to different sides along it, as on a Moebius strip; they are not joined there then
+    bool allows_turned_faces = false;
   };
 
   /// one use of an edge in the loop of a face.

@@ -24,7 +24,10 @@ makes a model of the faces of a shape: its vertices, its edges with their curves
 in the domain. The shape is not changed.
 
 - Seams, degenerated edges, reversed faces, and locations are respected. The faces of each shell become a shell of
-the model; faces outside of shells become one shell together. A face between two solids is in both of their shells.
+the model; faces outside of shells become one shell together, without those that are in a shell, too. A face between two solids is in
+both of their shells.
+- Faces of a shell are reversed where neighbours do not face to the same side. Where this is not possible, as on a Moebius
+strip, the shell is open, and the edges are listed in `Open_cascade_model_3::turned_edges`.
 - Vertices and edges are trusted within their tolerances. The distances between curves in domains and their edges are
 measured; edges with distances above the tolerance are listed in `Open_cascade_model_3::gaps`.
 - Curves in domains that are missing, or farther off than 1e-4 of the diagonal (and ten times the tolerance), are replaced

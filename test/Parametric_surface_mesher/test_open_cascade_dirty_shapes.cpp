@@ -7,12 +7,14 @@
 #include <CGAL/repair_open_cascade_shape.h>
 #include <CGAL/sew_open_cascade_shape.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepFill.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -238,6 +240,63 @@ TEST(Dirty_shapes, faces_that_do_not_agree_about_the_outside_are_turned)
     builder.Add(shell, is_first ? face.Current().Reversed() : face.Current());
   const Meshed_shape meshed(shell);
   EXPECT_GE(meshed.shape.number_of_reversed_faces, 1u);
+  EXPECT_TRUE(meshed.quality.is_closed);
+  EXPECT_NEAR(meshed.volume(), 8, 1e-9);
+}
+
+TEST(Dirty_shapes, cavities_stay_when_others_are_turned)
+{
+  const TopoDS_Shape hollow = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(4, 0, 0), 3, 3, 3).Shape(),
+                                              BRepPrimAPI_MakeBox(gp_Pnt(5, 1, 1), 1, 1, 1).Shape()).Shape();
+  BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  for(TopExp_Explorer face(BRepPrimAPI_MakeBox(2, 2, 2).Shape(), TopAbs_FACE); face.More(); face.Next())
+    builder.Add(shell, TopExp_Explorer(shell, TopAbs_FACE).More() ? face.Current() : face.Current().Reversed());
+  const Meshed_shape meshed(compound_of({hollow, shell}));
+  EXPECT_GE(meshed.shape.number_of_reversed_faces, 1u);
+  EXPECT_TRUE(meshed.quality.is_closed);
+  EXPECT_NEAR(meshed.volume(), 8 + 27 - 1, 1e-9);
+}
+
+// Faces along a ring that is turned over once; the last one ends where the first one begins, the other way round.
+TEST(Dirty_shapes, a_shell_that_cannot_be_oriented_is_meshed)
+{
+  const int n = 5;
+  std::vector<TopoDS_Vertex> sides[2];
+  for(int side = 0; side < 2; ++side)
+    for(int i = 0; i < n; ++i) {
+      const double angle = 2 * CGAL_PI * i / n, turn = angle / 2, s = side == 0 ? 1 : -1;
+      const double r = 10 + 2 * s * std::cos(turn);
+      sides[side].push_back(BRepBuilderAPI_MakeVertex(gp_Pnt(r * std::cos(angle), r * std::sin(angle), 2 * s * std::sin(turn))));
+    }
+  std::vector<TopoDS_Edge> rungs;
+  for(int i = 0; i < n; ++i)
+    rungs.push_back(BRepBuilderAPI_MakeEdge(sides[0][i], sides[1][i]));
+  rungs.push_back(TopoDS::Edge(rungs.front().Reversed()));
+  BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  for(int i = 0; i < n; ++i)
+    builder.Add(shell, BRepFill::Face(rungs[i], rungs[i + 1]));
+  const Meshed_shape meshed(shell);
+  EXPECT_TRUE(meshed.shape.left_out.empty());
+  EXPECT_TRUE(meshed.report.left_out.empty());
+  EXPECT_EQ(meshed.shape.turned_edges.size(), 1u);
+  EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u);
+  EXPECT_EQ(meshed.quality.number_of_connected_components, 1u);
+}
+
+TEST(Dirty_shapes, faces_that_a_solid_has_too_are_meshed_once)
+{
+  std::vector<TopoDS_Shape> shapes{BRepPrimAPI_MakeBox(2, 2, 2).Shape()};
+  for(TopExp_Explorer face(shapes.front(), TopAbs_FACE); face.More(); face.Next())
+    shapes.push_back(face.Current());
+  const Meshed_shape meshed(compound_of(shapes));
+  EXPECT_TRUE(meshed.report.left_out.empty());
+  EXPECT_EQ(meshed.shape.repeated_faces.size(), 6u);
+  EXPECT_EQ(meshed.shape.model.faces().size(), 6u);
+  EXPECT_TRUE(meshed.shape.is_shape_closed);
   EXPECT_TRUE(meshed.quality.is_closed);
   EXPECT_NEAR(meshed.volume(), 8, 1e-9);
 }

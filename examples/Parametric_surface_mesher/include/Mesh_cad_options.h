@@ -71,6 +71,8 @@ const char* const conclusion =
   "  distance                       the largest distance measured from surfaces and edges to the mesh\n"
   "  distance_over_diagonal         the same as a share of the diagonal of the shape's bounding box\n"
   "  inner_edges                    edges inside faces, which the mesh does not follow\n"
+  "  repeated_faces                 faces of shells that the file has once more outside of shells\n"
+  "  turned_edges                   edges at which the mesh is open since a shell cannot be oriented\n"
   "  sewn_edges, lost_faces         pairs of edges joined, and faces lost, by sewing\n"
   "  largest_gap                    the largest distance of an edge from one of its faces\n"
   "  seconds                        processor time: reading, model, meshing, measuring\n"

@@ -81,6 +81,13 @@ inline std::vector<std::size_t> collapsed_edges(const CGAL::Open_cascade_model_3
   return result;
 }
 
+inline std::vector<std::size_t> numbers_from_1(std::vector<std::size_t> numbers)
+{
+  for(std::size_t& number : numbers)
+    ++number;
+  return numbers;
+}
+
 inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
 {
   const auto& shape = result.shape;
@@ -109,6 +116,8 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
           {"removed_slits", shape.number_of_removed_slits},
           {"reversed_faces", shape.number_of_reversed_faces},
           {"inner_edges", inner_edges},
+          {"repeated_faces", numbers_from_1(shape.repeated_faces)},
+          {"turned_edges", numbers_from_1(shape.turned_edges)},
           {"sewn_edges", result.number_of_sewn_edges},
           {"lost_faces", result.number_of_lost_faces}};
 }
@@ -118,13 +127,6 @@ inline std::vector<std::size_t> faces_of_shape(const Mesh_cad_result& result, st
   for(std::size_t& face : faces_of_model)
     face = result.shape.shape_faces[face];
   return faces_of_model;
-}
-
-inline std::vector<std::size_t> numbers_from_1(std::vector<std::size_t> numbers)
-{
-  for(std::size_t& number : numbers)
-    ++number;
-  return numbers;
 }
 
 inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
@@ -228,6 +230,10 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
     out << "  " << mesh_patch::plural(collapsed_edges(shape).size(), "edge") << " collapsed to vertices\n";
   for(const auto& edge : shape.inner_edges)
     out << "  edge " << edge.shape_edge + 1 << " lies inside face " << edge.shape_face + 1 << "; the mesh does not follow it\n";
+  if(!shape.repeated_faces.empty())
+    out << "  " << mesh_patch::plural(shape.repeated_faces.size(), "face") << " of shells are in the file once more, outside of shells, and meshed once\n";
+  if(!shape.turned_edges.empty())
+    out << "  a shell that cannot be oriented is open at " << mesh_patch::plural(shape.turned_edges.size(), "edge") << "\n";
   if(result.number_of_sewn_edges > 0)
     out << "  sewing joined " << mesh_patch::plural(result.number_of_sewn_edges, "pair") << " of edges\n";
   if(result.number_of_lost_faces > 0)

@@ -279,7 +279,7 @@ private:
   // Two uses in one shell must lie on different sides of the edge.
   void check_orientation(std::size_t e, const Uses& uses) const
   {
-    if(m_model.edges()[e].is_collapsed)
+    if(m_model.edges()[e].is_collapsed || m_model.edges()[e].allows_turned_faces)
       return;
     for(const auto& shell : uses.by_shell(e))
       if(shell.second.size() == 2 && uses.is_face_left(shell.second[0]) == uses.is_face_left(shell.second[1]))
@@ -298,8 +298,8 @@ private:
 checks that the parts of a model fit together: what edges and loops refer to exists, and coordinates, lengths and tolerances
 are finite; every loop is closed, by its vertices and in the domain of its face; every
 use of an edge is, at the same parameters, the same curve in space as the edge, within the tolerance of the model or that
-of the edge if it is larger (compared at nine points); and two faces of a shell at an edge face to the same side. Meshing
-calls it.
+of the edge if it is larger (compared at nine points); and two faces of a shell at an edge face to the same side, unless the edge
+allows others. Meshing calls it.
 
 \throws Parametric_surface_mesh_error if something does not fit; the message names the face, the loop, the edge and the
 distance

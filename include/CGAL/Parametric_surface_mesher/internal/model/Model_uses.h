@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -88,12 +89,21 @@ public:
     return result;
   }
 
-  // Whether the edge has at most two uses, both in the same shell.
+  // The uses of an edge in one shell.
+  std::vector<Use> in_shell(std::size_t edge, std::size_t shell) const
+  {
+    std::vector<Use> result;
+    std::copy_if(m_uses[edge].begin(), m_uses[edge].end(), std::back_inserter(result),
+                 [=](const Use& use) { return m_model.faces()[use.face].shell == shell; });
+    return result;
+  }
+
+  // Whether the edge has at most two uses, both in the same shell, and on different sides.
   bool is_manifold(std::size_t edge) const
   {
-    return m_uses[edge].size() <= 2
-           && (m_uses[edge].size() < 2
-               || m_model.faces()[m_uses[edge][0].face].shell == m_model.faces()[m_uses[edge][1].face].shell);
+    return m_uses[edge].size() < 2
+           || (m_uses[edge].size() == 2 && !m_model.edges()[edge].allows_turned_faces
+               && m_model.faces()[m_uses[edge][0].face].shell == m_model.faces()[m_uses[edge][1].face].shell);
   }
 
 private:

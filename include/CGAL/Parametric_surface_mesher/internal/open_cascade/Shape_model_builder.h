@@ -10,7 +10,6 @@
 
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
-#include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
 #include <CGAL/Parametric_surface_mesher/orient_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
@@ -198,12 +197,25 @@ private:
           faces.Append(face.Current());
         add_shell(faces, number++);
       }
-    TopTools_MapOfShape free_faces;
-    TopTools_ListOfShape faces;
+    add_shell(free_faces(shape), number);
+  }
+
+  // The faces outside of shells. One that a shell has, too, is noted, and not meshed again.
+  TopTools_ListOfShape free_faces(const TopoDS_Shape& shape)
+  {
+    TopTools_MapOfShape faces_in_shells, known;
+    for(TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next())
+      for(TopExp_Explorer face(shell.Current(), TopAbs_FACE); face.More(); face.Next())
+        faces_in_shells.Add(face.Current());
+    TopTools_ListOfShape result;
     for(TopExp_Explorer face(shape, TopAbs_FACE, TopAbs_SHELL); face.More(); face.Next())
-      if(free_faces.Add(face.Current()))
-        faces.Append(face.Current());
-    add_shell(faces, number);
+      if(known.Add(face.Current())) {
+        if(faces_in_shells.Contains(face.Current()))
+          m_result.repeated_faces.push_back(std::size_t(m_faces.FindIndex(face.Current())) - 1);
+        else
+          result.Append(face.Current());
+      }
+    return result;
   }
 
   void add_shell(const TopTools_ListOfShape& faces, std::size_t shell)
@@ -237,32 +249,28 @@ private:
     }
   }
 
-  // Reverses faces so that neighbours in a shell face to the same side. A shell that is not orientable stays as it is.
+  // Reverses faces so that neighbours in a shell face to the same side. Pieces in which they do stay as they are: the boundary of a
+  // cavity faces inward. Where a shell cannot be oriented, it is open.
   void orient()
   {
-    if(are_oriented())
-      return;
-    Model oriented = model();
-    try {
-      orient_faces(oriented);
-    }
-    catch(const Parametric_surface_mesh_error&) {
-      return;
-    }
-    for(std::size_t f = 0; f < oriented.faces().size(); ++f)
-      m_result.number_of_reversed_faces += oriented.faces()[f].is_reversed != model().faces()[f].is_reversed;
-    model() = std::move(oriented);
-  }
-
-  bool are_oriented()
-  {
-    const Model_uses<Model> uses(model());
-    for(std::size_t e : uses.order())
-      if(!model().edges()[e].is_collapsed)
-        for(const auto& shell : uses.by_shell(e))
-          if(shell.second.size() == 2 && uses.is_face_left(shell.second[0]) == uses.is_face_left(shell.second[1]))
-            return false;
-    return true;
+    std::vector<bool> before;
+    for(const auto& face : model().faces())
+      before.push_back(face.is_reversed);
+    Face_orientation<Model> orientation(model());
+    std::set<std::size_t> turned_edges;
+    for(std::size_t f = 0; f < before.size(); ++f)
+      if(!orientation.is_done(f)) {
+        const auto piece = orientation.orient_piece(f);
+        if(piece.is_changed)
+          orientation.face_outward(piece);
+        for(const auto& contradiction : piece.contradictions)
+          turned_edges.insert(contradiction.edge);
+      }
+    for(std::size_t e : turned_edges)
+      model().edges()[e].allows_turned_faces = true;
+    m_result.turned_edges.assign(turned_edges.begin(), turned_edges.end());
+    for(std::size_t f = 0; f < before.size(); ++f)
+      m_result.number_of_reversed_faces += model().faces()[f].is_reversed != before[f];
   }
 };
 
