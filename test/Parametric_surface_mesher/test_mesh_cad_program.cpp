@@ -9,8 +9,10 @@
 
 #include "program_test.h"
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
@@ -19,7 +21,12 @@
 #include <IGESControl_Writer.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
 #include <cmath>
@@ -27,6 +34,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -227,6 +235,30 @@ TEST_F(Mesh_cad_program, closes_up_narrow_faces)
   const Result alone = run("narrow.brep --faces " + face);
   EXPECT_EQ(alone.status, 2);
   EXPECT_NE(alone.err.find("face " + face + " is closed up"), std::string::npos) << alone.err;
+}
+
+// A rectangle with a round hole that touches it in a vertex: two cusps, each with one sharp triangle.
+TEST_F(Mesh_cad_program, knows_corners_where_loops_touch)
+{
+  const auto vertex = [](double x, double y) { return BRepBuilderAPI_MakeVertex(gp_Pnt(x, y, 0)).Vertex(); };
+  const std::vector<TopoDS_Vertex> v{vertex(-10, -6), vertex(0, -6), vertex(10, -6), vertex(10, 6), vertex(-10, 6)};
+  BRep_Builder builder;
+  TopoDS_Wire outline, hole;
+  builder.MakeWire(outline);
+  builder.MakeWire(hole);
+  for(std::size_t i = 0; i < v.size(); ++i)
+    builder.Add(outline, BRepBuilderAPI_MakeEdge(v[i], v[(i + 1) % v.size()]).Edge());
+  const gp_Circ circle(gp_Ax2(gp_Pnt(0, -3, 0), gp_Dir(0, 0, -1), gp_Dir(0, -1, 0)), 3);
+  builder.Add(hole, BRepBuilderAPI_MakeEdge(circle, v[1], v[1]).Edge());
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln()), 1e-7);
+  builder.Add(face, outline);
+  builder.Add(face, hole);
+  BRepTools::Write(face, file("touch.brep").c_str());
+  const auto numbers = json("touch.brep --quiet");
+  EXPECT_EQ(numbers["below_10"], 2);
+  EXPECT_EQ(numbers["below_10_at_corners"], 2);
+  EXPECT_GT(numbers["min_angle_apart_from_corners"], 20);
 }
 
 TEST_F(Mesh_cad_program, sews_the_faces_of_an_iges_file)

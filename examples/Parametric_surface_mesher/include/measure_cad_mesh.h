@@ -6,6 +6,7 @@
 #define MEASURE_CAD_MESH_H
 
 #include "Aabb_tree_types.h"
+#include "sharp_corners.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -48,7 +49,6 @@ struct Cad_mesh_measures
 namespace mesh_cad {
 
 typedef Cad_mesh::Kernel Kernel;
-typedef CGAL::Open_cascade_model_3::Model Model;
 typedef Aabb_tree<Kernel, CGAL::AABB_face_graph_triangle_primitive<Cad_mesh::Mesh>> Tree;
 
 // The corners of a triangle: in space, and in the domain of its face.
@@ -67,11 +67,6 @@ inline Triangle_corners corners(const Cad_mesh& mesh, Cad_mesh::Mesh::Face_index
     result.uv[i++] = mesh.uv[h];
   }
   return result;
-}
-
-inline double angle(const Kernel::Vector_3& a, const Kernel::Vector_3& b)
-{
-  return std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b) * 45 / std::atan(1.);
 }
 
 // The number and size of the smallest angle.
@@ -117,70 +112,6 @@ inline double squared_distance_to_edges(const Cad_mesh& mesh, const Model& model
     if(model.edges()[e].curve)
       for(int i = 1; i < number_of_samples; ++i)
         result = (std::max)(result, tree.squared_distance(model.edges()[e].curve->point(double(i) / number_of_samples)));
-  return result;
-}
-
-// The direction in space in which a use of an edge leaves its begin, or runs back from its end: that of the tangent or, if
-// the edge is long enough, that of the chord to its point at this distance.
-inline Kernel::Vector_3 direction(const Model& model, std::size_t face, const Model::Edge_use& use, bool is_at_begin,
-                                  double distance)
-{
-  const bool is_at_source = is_at_begin != use.is_reversed;
-  const auto& edge = model.edges()[use.edge];
-  if(distance > 0 && edge.curve) {
-    const auto point = [&](double t) { return edge.curve->point(is_at_source ? t : 1 - t); };
-    const auto chord = [&](double t) { return point(t) - point(0); };
-    const auto is_far = [&](double t) { return chord(t).squared_length() >= distance * distance; };
-    double near = 0, far = 1. / 1024;
-    while(far < 1 && !is_far(far))
-      far *= 2;
-    if(is_far(far)) {
-      for(int i = 0; i < 20; ++i)
-        (is_far(0.5 * (near + far)) ? far : near) = 0.5 * (near + far);
-      return chord(far);
-    }
-  }
-  const auto c = use.curve.jet(is_at_source ? use.curve.begin() : use.curve.end());
-  const auto s = model.faces()[face].surface.jet(c.point.x(), c.point.y());
-  return (is_at_source ? 1 : -1) * (c.first.x() * s.du + c.first.y() * s.dv);
-}
-
-// The corners of faces with less than a number of degrees. Of several corners of a face at the same point the sharpest counts.
-typedef std::map<std::pair<std::size_t, Kernel::Point_3>, double> Sharp_corners;
-
-// A loop without its poles: the edges on either side of one enclose a corner.
-inline std::vector<Model::Edge_use> without_poles(const Model& model, const std::vector<Model::Edge_use>& loop)
-{
-  std::vector<Model::Edge_use> result;
-  std::copy_if(loop.begin(), loop.end(), std::back_inserter(result),
-               [&](const Model::Edge_use& use) { return !model.edges()[use.edge].is_collapsed; });
-  return result;
-}
-
-// The angle is that between the tangents of the edges; or, where edges bend towards each other, that in which the nearest
-// points that a mesh may have on them are seen, those at the minimum edge.
-inline Sharp_corners sharp_corners(const Model& model, double degrees, double min_edge)
-{
-  Sharp_corners result;
-  for(std::size_t f = 0; f < model.faces().size(); ++f)
-    for(const auto& whole_loop : model.faces()[f].loops) {
-      const std::vector<Model::Edge_use> loop = without_poles(model, whole_loop);
-      for(std::size_t i = 0; i < loop.size(); ++i) {
-        const auto &use = loop[i], &next = loop[(i + 1) % loop.size()];
-        if(use.edge == next.edge)
-          continue; // the two sides of a seam, with all of the face between them
-        double corner = 180;
-        for(const double distance : {0., min_edge})
-          corner = (std::min)(corner, angle(direction(model, f, use, false, distance),
-                                            direction(model, f, next, true, distance)));
-        if(!(corner > degrees)) {
-          const auto& edge = model.edges()[next.edge];
-          const auto& vertex = model.vertices()[next.is_reversed ? edge.target : edge.source];
-          double& sharpest = result.emplace(std::make_pair(f, vertex), corner).first->second;
-          sharpest = (std::min)(sharpest, corner);
-        }
-      }
-    }
   return result;
 }
 

@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -50,6 +51,13 @@ class Closeness_refinement
   {
     Piece piece;
     double length;
+  };
+
+  // A piece with the vertex at its other end.
+  struct Piece_at_vertex
+  {
+    Vertex_handle other;
+    Measured_piece piece;
   };
 
   static const int max_number_of_rounds = 16;
@@ -186,6 +194,30 @@ private:
     for_each_loop(face, [&](std::size_t l, const auto& segments, const auto& vertices, const auto& triangulation) {
       collect(face, l, segments, vertices, triangulation, pieces);
     });
+    even_out_tips_at_touches(face, pieces);
+  }
+
+  // Where loops touch, or a loop touches itself, the pieces at a tip do not follow each other in a loop.
+  // \pre the boundary is up to date
+  void even_out_tips_at_touches(std::size_t face, std::set<Piece>& pieces)
+  {
+    const Boundary& boundary = m_boundaries[face];
+    std::map<Vertex_handle, std::vector<Piece_at_vertex>> pieces_at;
+    for(std::size_t l = 0; l < boundary.loops().size(); ++l) {
+      const auto& loop = boundary.loops()[l];
+      for(std::size_t i = 0; i < loop.vertices.size(); ++i) {
+        const Vertex_handle v = loop.vertices[i], w = loop.vertices[(i + 1) % loop.vertices.size()];
+        const Measured_piece piece{m_division.piece(face, l, loop.segments[i]), length(v, w)};
+        pieces_at[v].push_back({w, piece});
+        pieces_at[w].push_back({v, piece});
+      }
+    }
+    for(const auto& at_vertex : pieces_at)
+      if(at_vertex.second.size() > 2)
+        for(const Piece_at_vertex& a : at_vertex.second)
+          for(const Piece_at_vertex& b : at_vertex.second)
+            if(is_tip(a.other, at_vertex.first, b.other, boundary.triangulation()))
+              even_out_tip(a.piece, b.piece, pieces);
   }
 
   // For each loop of a face, calls `function` with its index, its segments and vertices, and the triangulation of all loops.
@@ -238,8 +270,10 @@ private:
   bool is_tip(Vertex_handle u, Vertex_handle v, Vertex_handle w, const Triangulation& triangulation) const
   {
     const double base = length(u, w);
+    Face_handle face;
     return base > 0 && base < largest_tip * m_criteria.min_edge()
-           && base < sharpness * (std::min)(length(u, v), length(v, w)) && triangulation.is_face(u, v, w)
+           && base < sharpness * (std::min)(length(u, v), length(v, w)) && triangulation.is_face(u, v, w, face)
+           && face->is_in_domain()
            && triangulation.geom_traits().orientation_2_object()(u->point(), v->point(), w->point()) == LEFT_TURN;
   }
 
