@@ -112,6 +112,24 @@ TEST(Mesh_sizes, closeness_staggers_the_sides_of_a_strip)
   EXPECT_GT(best, 6);
 }
 
+// The ring is narrower than the arcs of its pieces are high: these must stay beside each other, else they cross.
+TEST(Mesh_sizes, staggering_makes_no_pieces_cross)
+{
+  typedef sample_surfaces::Domain Domain;
+  Domain ring(Domain::Loop{Domain::Curve::circle({0, 0}, 125)});
+  ring.add_hole({Domain::Curve::circle({0, 0}, 124.7)});
+  for(double min_edge : {10., 11., 12.}) {
+    Mesh mesh;
+    const Criteria criteria = Criteria().set_max_edge(16).set_min_edge(min_edge).set_distance(5);
+    add_patch(make_sample("flat").surface, ring, Criteria(criteria).set_closeness(1.8), mesh);
+    for(const auto e : mesh.edges()) {
+      if(mesh.is_border(e)) {
+        EXPECT_GT(length(mesh, e), 0.9 * min_edge);
+      }
+    }
+  }
+}
+
 TEST(Mesh_sizes, closeness_keeps_the_minimum_edge)
 {
   const Sample flat = make_sample("flat");

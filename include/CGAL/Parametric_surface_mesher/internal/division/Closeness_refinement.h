@@ -161,7 +161,7 @@ private:
       divide.collect(piece);
   }
 
-  // The points of an edge are moved for the first face with strips that uses it.
+  // The points of an edge are moved for the first face with strips that uses it; not if pieces would cross then.
   void stagger_strips()
   {
     std::set<std::size_t> done; // edges
@@ -180,7 +180,17 @@ private:
         return done.count(edge) == 0 && !is_used_twice(face, edge);
       });
     });
-    return stagger();
+    const auto former = stagger();
+    std::set<std::size_t> edges, faces;
+    for(const auto& edge : former) {
+      edges.insert(edge.first);
+      for(const auto& use : m_division.uses()[edge.first])
+        faces.insert(use.face);
+    }
+    if(std::any_of(faces.begin(), faces.end(), [this](std::size_t f) { return m_refine_crossings.has_crossings(f); }))
+      for(const auto& edge : former)
+        m_division.set_parameters(edge.first, edge.second);
+    return edges;
   }
 
   bool is_used_twice(std::size_t face, std::size_t edge) const

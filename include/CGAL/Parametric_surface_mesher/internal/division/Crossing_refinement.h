@@ -61,6 +61,19 @@ public:
     }
   }
 
+  // Whether segments of a face cross as its edges are divided now, or one of its holes is misplaced by its pieces.
+  bool has_crossings(std::size_t face) const
+  {
+    std::set<Piece> pieces;
+    try {
+      collect(face, pieces);
+    }
+    catch(const Parametric_surface_mesh_error&) {
+      return true; // of pieces that cannot be halved
+    }
+    return !pieces.empty();
+  }
+
   // the number of pieces that were halved so far
   std::size_t number_of_splits() const { return m_number_of_splits; }
 

@@ -32,6 +32,10 @@ their edges for that. No piece gets shorter than the minimum edge, or as long as
 template <class Division, class Triangulation>
 class Strip_staggering
 {
+public:
+  typedef std::map<std::size_t, std::vector<double>> Parameters; // by edge
+
+private:
   typedef typename Division::Kernel::Point_3 Point_3;
   typedef typename Division::Piece Piece;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
@@ -43,8 +47,6 @@ class Strip_staggering
     std::array<std::size_t, 2> neighbors;                   // indices of the points beside it on the edge
     std::vector<std::pair<std::size_t, std::size_t>> sides; // the sides opposite to it in its triangles, by indices
   };
-
-  typedef std::map<std::size_t, std::vector<double>> Parameters; // by edge
 
   // The quality of the triangles around a point. The product is included because the smallest angle alone would not move a row of
   // points of which each can move only together with the others.
@@ -96,8 +98,9 @@ public:
     }
   }
 
-  // Moves the points as long as the smallest angle of all does not lose much, and returns the edges that have changed.
-  std::set<std::size_t> operator()()
+  // Moves the points as long as the smallest angle of all does not lose much. Returns the former parameters of the edges that have
+  // changed.
+  Parameters operator()()
   {
     const Parameters old = m_parameters;
     Parameters best = old;
@@ -111,13 +114,13 @@ public:
       if(squared_smallest_sine() >= least_sine)
         best = m_parameters;
     }
-    std::set<std::size_t> changed;
+    Parameters former;
     for(const auto& edge : best)
       if(edge.second != old.at(edge.first)) {
         m_division.set_parameters(edge.first, edge.second);
-        changed.insert(edge.first);
+        former.insert(*old.find(edge.first));
       }
-    return changed;
+    return former;
   }
 
 private:

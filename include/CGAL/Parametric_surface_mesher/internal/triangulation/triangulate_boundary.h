@@ -253,8 +253,19 @@ private:
         face->set_constraint(i, true);
       }
       else
-        m_triangulation.insert_constraint(a, b);
+        insert_constraint(a, b);
     });
+  }
+
+  void insert_constraint(Vertex_handle a, Vertex_handle b)
+  {
+    try {
+      m_triangulation.insert_constraint(a, b);
+    }
+    catch(const typename Triangulation::Intersection_of_constraints_exception&) {
+      throw Parametric_surface_mesh_error("the boundary crosses itself: a segment crosses the one from " + describe(a->point())
+                                          + " to " + describe(b->point()));
+    }
   }
 
   void mark_domain()
