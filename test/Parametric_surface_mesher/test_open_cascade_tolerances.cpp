@@ -1,7 +1,7 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shapes whose curves meet only up to the tolerances of their vertices.
+// Shapes whose curves meet only up to the tolerances of their vertices, or up to whole periods.
 #include "open_cascade_test_helpers.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -9,16 +9,22 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Ax3.hxx>
 #include <gp_Dir2d.hxx>
 #include <gp_Lin.hxx>
 #include <gp_Pln.hxx>
@@ -26,6 +32,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -121,6 +129,55 @@ TEST(Tolerances, slanted_poles_are_straightened)
     EXPECT_NEAR(meshed.quality.area, 50, 1e-2) << slant;
     EXPECT_GT(meshed.quality.min_angle, 20) << slant;
   }
+}
+
+// An arc on the cylinder of radius 1 whose curve in the domain is some periods away.
+TopoDS_Edge arc(const TopoDS_Vertex& source, const TopoDS_Vertex& target, double begin, double end, double height,
+                const Handle(Geom_Surface)& cylinder, int periods)
+{
+  BRep_Builder builder;
+  TopoDS_Edge result;
+  builder.MakeEdge(result, new Geom_Circle(gp_Ax2(gp_Pnt(0, 0, height), gp::DZ(), gp::DX()), 1), 1e-7);
+  builder.UpdateEdge(result, new Geom2d_Line(gp_Pnt2d(2 * CGAL_PI * periods, height), gp::DX2d()), cylinder, TopLoc_Location(), 1e-7);
+  builder.Add(result, source.Oriented(TopAbs_FORWARD));
+  builder.Add(result, target.Oriented(TopAbs_REVERSED));
+  builder.Range(result, begin, end);
+  return result;
+}
+
+// The wall of a cylinder. The upper circle has two arcs, so that the loop comes to the upper end of the seam twice.
+TEST(Tolerances, uses_are_ordered_whatever_their_order_and_periods)
+{
+  const double u = 0.5, pi = CGAL_PI;
+  const Handle(Geom_Surface) cylinder = new Geom_CylindricalSurface(gp_Ax3(), 1);
+  const auto point = [](double angle, double height) { return gp_Pnt(std::cos(angle), std::sin(angle), height); };
+  const TopoDS_Vertex lower = vertex_at(point(u, 0), 1e-7), upper = vertex_at(point(u, 1), 1e-7),
+                      opposite = vertex_at(point(u + pi, 1), 1e-7);
+  BRep_Builder builder;
+  const TopoDS_Edge seam = segment(lower, upper, point(u, 0), point(u, 1));
+  builder.UpdateEdge(seam, new Geom2d_Line(gp_Pnt2d(u + 2 * pi, 0), gp::DY2d()), new Geom2d_Line(gp_Pnt2d(u, 0), gp::DY2d()),
+                     cylinder, TopLoc_Location(), 1e-7);
+  for(int periods : {-1, 0, 1})
+    for(int other : {-1, 0, 1}) {
+      std::vector<TopoDS_Shape> edges{arc(lower, lower, u, u + 2 * pi, 0, cylinder, other), seam,
+                                      arc(opposite, upper, u + pi, u + 2 * pi, 1, cylinder, periods).Reversed(),
+                                      arc(upper, opposite, u, u + pi, 1, cylinder, other).Reversed(), seam.Reversed()};
+      std::vector<std::size_t> order{0, 1, 2, 3, 4};
+      do {
+        TopoDS_Wire wire;
+        builder.MakeWire(wire);
+        for(std::size_t i : order)
+          builder.Add(wire, edges[i]);
+        TopoDS_Face face;
+        builder.MakeFace(face, cylinder, 1e-7);
+        builder.Add(face, wire);
+        const auto shape = CGAL::make_model_of_open_cascade_shape(face);
+        ASSERT_TRUE(shape.left_out.empty()) << periods << other << order[0] << order[1] << order[2] << order[3] << order[4]
+                                            << shape.left_out.front().reason;
+        ASSERT_EQ(shape.model.faces().front().loops.size(), 1u);
+        ASSERT_EQ(shape.model.faces().front().loops.front().size(), 5u);
+      } while(std::next_permutation(order.begin(), order.end()));
+    }
 }
 
 } // namespace

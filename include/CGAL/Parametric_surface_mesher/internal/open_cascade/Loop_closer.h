@@ -16,6 +16,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
 #include <CGAL/Open_cascade_surface_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Domain_periods.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_curves.h>
 
 #include <algorithm>
@@ -30,8 +31,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Makes the curves of a loop meet exactly in the domain of a face. In a file they meet only up to tolerances and up to whole periods
-// of the surface, and do not meet at poles whose collapsed edge is missing. ShapeFix_Wire of Open CASCADE also closes loops, but
+// Makes the curves of a loop meet exactly in the domain of a face. In a file they meet only up to tolerances, and do not meet at poles whose collapsed edge is missing. ShapeFix_Wire of Open CASCADE also closes loops, but
 // changes edges, which faces share, and keeps gaps within the tolerances.
 class Loop_closer
 {
@@ -51,8 +51,6 @@ class Loop_closer
   // A surface collapses on a segment of its domain whose image is shorter than this share of what the segment would be long at
   // the mean speed of the parameters along the boundary. On a pole the share is 0, in a gap between curves it is about 1.
   static constexpr double collapsed_share = 0.05;
-  // Squared ratio of derivatives: below, a point is at a pole up to rounding.
-  static constexpr double squared_ratio_at_pole = 1e-12;
   // Limits, as shares of the domain, of a tolerance that is converted to the domain: roundings are above the first, and points
   // farther apart than the second are never joined.
   static constexpr double least_share_of_domain = 1e-9, largest_share_of_domain = 1e-2;
@@ -77,16 +75,15 @@ public:
       m_widest_gap(widest_gap)
   {}
 
-  // \pre each use of a loop begins at the vertex where the one before it ends
+  // \pre each use of a loop begins at the vertex where the one before it ends, with no whole periods between the curves
   void operator()(std::vector<Loop>& loops)
   {
+    for(const Loop& loop : loops)
+      check_periods(loop);
     measure(loops);
     for(Loop& loop : loops)
       for(Edge_use& use : loop)
         straighten_collapsed(use);
-    for(Loop& loop : loops)
-      remove_periods(loop);
-    measure(loops);
     for(Loop& loop : loops) {
       remove_short_collapsed(loop);
       close(loop);
@@ -141,31 +138,12 @@ private:
     use.curve = is_pole ? side : Curve::segment(use.curve.source(), use.curve.target());
   }
 
-  static double periods(double difference, double period) { return period > 0 ? std::round(difference / period) : 0; }
-
-  // The whole periods between `p` and `q`. At a pole, where lengths in the domain mean nothing, there are none.
-  Vector_2 periods_between(const Point_2& p, const Point_2& q) const
+  void check_periods(const Loop& loop) const
   {
-    if(!(m_surface.u_period() > 0 || m_surface.v_period() > 0))
-      return Vector_2(0, 0);
-    const auto jet = m_surface.jet(p.x(), p.y());
-    const bool is_pole_u = jet.du.squared_length() < squared_ratio_at_pole * jet.dv.squared_length(),
-               is_pole_v = jet.dv.squared_length() < squared_ratio_at_pole * jet.du.squared_length();
-    return Vector_2(is_pole_u ? 0 : m_surface.u_period() * periods(q.x() - p.x(), m_surface.u_period()),
-                    is_pole_v ? 0 : m_surface.v_period() * periods(q.y() - p.y(), m_surface.v_period()));
-  }
-
-  void remove_periods(Loop& loop) const
-  {
-    for(std::size_t i = 0; i + 1 < loop.size(); ++i) {
-      const Vector_2 d = periods_between(end_point(loop[i]), begin_point(loop[i + 1]));
-      if(d != Vector_2(0, 0))
-        loop[i + 1].curve = translated(loop[i + 1].curve, -d);
-    }
-    if(periods_between(end_point(loop.back()), begin_point(loop.front())) != Vector_2(0, 0))
-      throw Parametric_surface_mesh_error("a loop runs once around a periodic surface, from (u,v) = "
-                                          + describe(begin_point(loop.front())) + " to "
-                                          + describe(end_point(loop.back())) + ", and there is no seam");
+    const Point_2 p = end_point(loop.back()), q = begin_point(loop.front());
+    if(Domain_periods(m_surface).between(p, q) != Vector_2(0, 0))
+      throw Parametric_surface_mesh_error("a loop runs once around a periodic surface, from (u,v) = " + describe(q) + " to "
+                                          + describe(p) + ", and there is no seam");
   }
 
   // Measures how far apart, in the domain, points are whose distance in space is 1, as a mean over the boundary.

@@ -14,8 +14,11 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
 #include <CGAL/Open_cascade_surface_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Domain_periods.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_curves.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -26,14 +29,16 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Sorts the edge uses of a wire, which a file may store in any order, into loops. (ShapeAnalysis_WireOrder of Open CASCADE sorts
-// by points in space or in the domain, and knows neither vertices nor periods.)
+// Sorts the edge uses of a wire, which a file may store in any order, into loops, and moves their curves by whole periods to where
+// they continue each other: only then is it clear which one does where a loop comes to a vertex again. (ShapeAnalysis_WireOrder of
+// Open CASCADE sorts by points in space or in the domain, and knows neither vertices nor periods.)
 class Use_order
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
   typedef Model::Edge_use Edge_use;
   typedef Model::Loop Loop;
   typedef Model::Geom_traits::Point_2 Point_2;
+  typedef Model::Geom_traits::Vector_2 Vector_2;
 
   // Curves are the same if their points differ by less than 1e-6 of their size, far below any slit that bounds something.
   static constexpr double squared_rounding = 1e-12;
@@ -44,9 +49,10 @@ class Use_order
 
   const Model& m_model;
   const Open_cascade_surface_3& m_surface;
+  const Domain_periods m_periods;
 
 public:
-  Use_order(const Model& model, const Open_cascade_surface_3& surface) : m_model(model), m_surface(surface) {}
+  Use_order(const Model& model, const Open_cascade_surface_3& surface) : m_model(model), m_surface(surface), m_periods(surface) {}
 
   // Returns closed loops: one, or several if these were joined by slits, which are removed.
   std::vector<Loop> operator()(Loop uses) const
@@ -97,27 +103,52 @@ private:
     return true;
   }
 
+  // The loop begins with the first use; but it is followed from a use of a seam, since these two are where they are, and others
+  // may be any number of periods away.
   Loop take_loop(Loop& uses) const
   {
-    Loop loop(1, uses.front());
-    uses.erase(uses.begin());
-    std::size_t place = 0; // where the last use was found
+    const std::size_t start = find_seam(uses);
+    Loop loop(1, uses[start]);
+    uses.erase(uses.begin() + start);
+    std::size_t place = start < uses.size() ? start : 0; // where the last use was found
+    std::size_t first = 0; // the place in the loop of the first use
     for(;;) {
       const std::size_t next = find_next(loop.back(), uses, place);
       if(next == uses.size())
         break;
-      loop.push_back(uses[next]);
+      if(start > 0 && next == 0 && first == 0)
+        first = loop.size();
+      append(uses[next], loop);
       uses.erase(uses.begin() + next);
       place = next;
     }
     if(end_vertex(loop.back()) != begin_vertex(loop.front()))
       throw Parametric_surface_mesh_error("a loop is open: it begins at " + numbered("vertex", begin_vertex(loop.front()))
                                           + " and ends at " + numbered("vertex", end_vertex(loop.back())));
+    std::rotate(loop.begin(), loop.begin() + first, loop.end());
     return loop;
   }
 
+  // The first use of an edge that is used again; 0 if there is none.
+  static std::size_t find_seam(const Loop& uses)
+  {
+    for(std::size_t i = 0; i < uses.size(); ++i)
+      for(std::size_t k = i + 1; k < uses.size(); ++k)
+        if(uses[i].edge == uses[k].edge)
+          return i;
+    return 0;
+  }
+
+  void append(const Edge_use& use, Loop& loop) const
+  {
+    const Vector_2 d = m_periods.between(end_point(loop.back()), begin_point(use));
+    loop.push_back(use);
+    if(d != Vector_2(0, 0))
+      loop.back().curve = translated(use.curve, -d);
+  }
+
   // Among the uses that begin at the vertex where `use` ends, the one closest to it in the domain; of several such, the first one from
-  // `place` on.
+  // `place` on that is not the way back on the same edge.
   std::size_t find_next(const Edge_use& use, const Loop& uses, std::size_t place) const
   {
     std::size_t best = uses.size();
@@ -127,7 +158,8 @@ private:
       if(begin_vertex(uses[i]) != end_vertex(use))
         continue;
       const double d = domain_distance(end_point(use), begin_point(uses[i]));
-      if(best == uses.size() || d < certainly_less * least) {
+      if(best == uses.size() || d < certainly_less * least
+         || (uses[best].edge == use.edge && certainly_less * d <= least && uses[i].edge != use.edge)) {
         best = i;
         least = d;
       }
