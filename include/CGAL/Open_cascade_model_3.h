@@ -88,6 +88,7 @@ struct Open_cascade_model_3
   double largest_gap = 0;
   std::size_t number_of_rebuilt_curves = 0; ///< curves in domains that were missing, or far off, and made anew by projection
   std::size_t number_of_removed_slits = 0;  ///< edges left out because a face lies on both sides, on the same curve
+  std::size_t number_of_joined_vertices = 0; ///< vertices that are others within their tolerances, and joined to them
   std::size_t number_of_reversed_faces = 0; ///< faces turned because neighbours in a shell did not face to the same side
 };
 

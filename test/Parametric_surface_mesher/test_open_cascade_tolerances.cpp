@@ -8,18 +8,21 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
+#include <GeomAPI_Interpolate.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp.hxx>
@@ -178,6 +181,91 @@ TEST(Tolerances, uses_are_ordered_whatever_their_order_and_periods)
         ASSERT_EQ(shape.model.faces().front().loops.front().size(), 5u);
       } while(std::next_permutation(order.begin(), order.end()));
     }
+}
+
+// A triangle whose sides run past two of its corners, by far more than they are divided.
+TEST(Tolerances, curves_that_cross_before_their_vertex_end_there)
+{
+  const double beyond = 0.006;
+  const gp_Pnt a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
+  const TopoDS_Vertex va = vertex_at(a, 1e-7), vb = vertex_at(b, 1.1 * beyond), vc = vertex_at(c, 1.1 * beyond);
+  BRep_Builder builder;
+  TopoDS_Edge round; // a quarter of a circle, a little longer at both ends
+  builder.MakeEdge(round, new Geom_Circle(gp_Ax2(gp::Origin(), gp::DZ(), gp::DX()), 1), 1e-7);
+  builder.Add(round, vb.Oriented(TopAbs_FORWARD));
+  builder.Add(round, vc.Oriented(TopAbs_REVERSED));
+  builder.Range(round, -beyond, 0.5 * CGAL_PI + beyond);
+  const TopoDS_Face face = planar_face({segment(va, vb, a, gp_Pnt(1 + beyond, 0, 0)), round, segment(vc, va, gp_Pnt(0, 1 + beyond, 0), a)});
+  const auto shape = CGAL::make_model_of_open_cascade_shape(face);
+  Mesh mesh;
+  const auto report = CGAL::make_parametric_surface_mesh(shape.model, cad_criteria(shape.diagonal).set_max_edge(0.004), mesh,
+                                                         CGAL::parameters::leaves_out_bad_faces(true));
+  EXPECT_TRUE(report.left_out.empty());
+  EXPECT_NEAR(CGAL::triangle_mesh_quality(mesh).area, 0.25 * CGAL_PI, 0.01);
+  EXPECT_GT(report.smallest_angle, 20);
+}
+
+// Two rectangles, and between them a face with a straight side and one through three points in the middle.
+TopoDS_Shape shell_with_lens(double tolerance, const std::vector<double>& heights)
+{
+  const auto vertex = [](double x, double y) { return vertex_at(gp_Pnt(x, y, 0), 1e-7); };
+  const auto line = [](const TopoDS_Vertex& v, const TopoDS_Vertex& w) { return segment(v, w, BRep_Tool::Pnt(v), BRep_Tool::Pnt(w)); };
+  const TopoDS_Vertex left = vertex(-5, 0), l = vertex(-0.15, 0), r = vertex(0.15, 0), right = vertex(5, 0),
+                      below[] = {vertex(-5, -5), vertex(5, -5)}, above[] = {vertex(-5, 5), vertex(5, 5)};
+  const TopoDS_Edge to_left = line(left, l), to_right = line(r, right), straight = line(l, r);
+  const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 5);
+  for(int i = 0; i < 5; ++i)
+    points->SetValue(i + 1, gp_Pnt(-0.15 + 0.075 * i, i == 0 || i == 4 ? 0 : heights[i - 1], 0));
+  GeomAPI_Interpolate interpolate(points, false, 1e-9);
+  interpolate.Perform();
+  TopoDS_Edge bent;
+  BRep_Builder builder;
+  builder.MakeEdge(bent, interpolate.Curve(), tolerance);
+  builder.Add(bent, l.Oriented(TopAbs_FORWARD));
+  builder.Add(bent, r.Oriented(TopAbs_REVERSED));
+  builder.Range(bent, interpolate.Curve()->FirstParameter(), interpolate.Curve()->LastParameter());
+  builder.UpdateEdge(straight, tolerance);
+  const auto back = [](const TopoDS_Edge& edge) { return TopoDS::Edge(edge.Reversed()); };
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  builder.Add(shell, planar_face({line(below[0], below[1]), line(below[1], right), back(to_right), back(straight), back(to_left),
+                                  line(left, below[0])}));
+  builder.Add(shell, planar_face({to_left, bent, to_right, line(right, above[1]), line(above[1], above[0]), line(above[0], left)}));
+  builder.Add(shell, planar_face({straight, back(bent)}));
+  return shell;
+}
+
+TEST(Tolerances, faces_narrower_than_the_tolerances_of_their_edges_are_closed_up)
+{
+  const Meshed_shape meshed(shell_with_lens(0.002, {-0.0005, -0.001, -0.0005}));
+  ASSERT_EQ(meshed.shape.closed_up.size(), 1u);
+  EXPECT_EQ(meshed.shape.closed_up[0].shape_face, 2u);
+  EXPECT_NEAR(meshed.shape.closed_up[0].width, 0.001, 1e-4);
+  EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u);
+  EXPECT_GT(meshed.quality.min_angle, 29);
+}
+
+// The curves enclose more to the left than to the right, but the point in the middle says otherwise.
+TEST(Tolerances, faces_fit_whose_curves_cross)
+{
+  const Meshed_shape meshed(shell_with_lens(1e-7, {0.003, -0.001, 0.003}));
+  EXPECT_TRUE(meshed.shape.closed_up.empty());
+  EXPECT_TRUE(meshed.report.left_out.empty());
+  EXPECT_EQ(meshed.shape.number_of_reversed_faces, 0u);
+  EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u);
+  EXPECT_EQ(meshed.quality.number_of_connected_components, 1u);
+}
+
+TEST(Tolerances, vertices_within_their_tolerances_are_joined)
+{
+  const gp_Pnt a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), d(1e-5, 1, 0);
+  const TopoDS_Vertex va = vertex_at(a, 1e-7), vb = vertex_at(b, 1e-7);
+  for(double tolerance : {8e-6, 4e-6}) {
+    const TopoDS_Vertex vc = vertex_at(c, tolerance), vd = vertex_at(d, tolerance);
+    const auto shape = CGAL::make_model_of_open_cascade_shape(planar_face({segment(va, vb, a, b), segment(vb, vd, b, d), segment(vc, va, c, a)}));
+    EXPECT_EQ(shape.number_of_joined_vertices, tolerance > 5e-6 ? 1u : 0u);
+    EXPECT_EQ(shape.left_out.size(), tolerance > 5e-6 ? 0u : 1u);
+  }
 }
 
 } // namespace

@@ -114,6 +114,7 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
           {"gaps_above_tolerance", gaps},
           {"rebuilt_curves", shape.number_of_rebuilt_curves},
           {"removed_slits", shape.number_of_removed_slits},
+          {"joined_vertices", shape.number_of_joined_vertices},
           {"reversed_faces", shape.number_of_reversed_faces},
           {"inner_edges", inner_edges},
           {"repeated_faces", numbers_from_1(shape.repeated_faces)},
@@ -241,6 +242,8 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
   print_gaps(out, result);
   if(shape.number_of_rebuilt_curves > 0)
     out << "  " << mesh_patch::plural(shape.number_of_rebuilt_curves, "curve") << " of the file missing or wrong in the domain of a face, and projected\n";
+  if(shape.number_of_joined_vertices > 0)
+    out << "  " << mesh_patch::plural(shape.number_of_joined_vertices, "vertex", "vertices") << " joined to others, within their tolerances\n";
   if(shape.number_of_reversed_faces > 0)
     out << "  " << mesh_patch::plural(shape.number_of_reversed_faces, "face") << " reversed to face to the same side as their neighbours\n";
 }

@@ -18,6 +18,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/driver/Face_job.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Faces_of_points.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/append_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/is_turned_by_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/curve_box.h>
@@ -324,10 +325,12 @@ private:
       mesh.points.insert(mesh.points.end(), job.result().cut_points.begin(), job.result().cut_points.end());
       mesh.domain_points.insert(mesh.domain_points.end(), job.result().cut_domain_points.begin(),
                                 job.result().cut_domain_points.end());
+      const auto& face = m_model.faces()[job.face()];
+      const bool is_reversed = face.is_reversed != is_turned_by_division(face, job.loops());
       for(auto& part : job.result().parts) {
         part.mesh.patch = job.face();
         part.mesh.place_of_cuts = place_of_cuts;
-        if(m_model.faces()[job.face()].is_reversed)
+        if(is_reversed)
           part.mesh.reverse();
         append_report(part.report, mesh.number_of_faces(), m_report);
         mesh.append(std::move(part.mesh));

@@ -14,6 +14,7 @@
 
 #include <CGAL/Open_cascade_surface_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Edge_match.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_curves.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,8 @@ struct Directed_edge
 typedef std::vector<Directed_edge> Edge_chain;
 
 // Merges vertices and edges of a model: vertices are replaced by another vertex, and edges by a chain of edges along them.
-// Everything that is replaced lies within a given width of its replacement, so that widths do not add up.
+// Everything that is replaced lies within a given width of its replacement, so that widths do not add up. Two edges may be as far
+// apart as both of their tolerances in the file are, up to the tolerance that is trusted.
 class Edge_merging
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
@@ -55,12 +57,13 @@ public:
 
 private:
   const Model* m_model;
-  double m_width;
+  double m_width, m_trusted_tolerance;
   std::vector<std::size_t> m_vertices; // the replacement of each vertex
   std::map<std::size_t, Edge_chain> m_chains; // the replacements of edges
 
 public:
-  Edge_merging(const Model& model, double width) : m_model(&model), m_width(width), m_vertices(model.vertices().size())
+  Edge_merging(const Model& model, double width, double trusted_tolerance)
+    : m_model(&model), m_width(width), m_trusted_tolerance(trusted_tolerance), m_vertices(model.vertices().size())
   {
     std::iota(m_vertices.begin(), m_vertices.end(), std::size_t(0));
   }
@@ -99,7 +102,7 @@ public:
       if(!(begin < end))
         return std::nullopt;
       result.push_back({chain[i].edge, {parts[i], Measured_curve(measured.curve, begin, end), chain[i].is_reversed}});
-      if(!(result.back().match.distance() <= m_width))
+      if(!(result.back().match.distance() <= width(edge, chain[i].edge)))
         return std::nullopt;
       begin = end;
     }
@@ -147,6 +150,13 @@ private:
 
   bool are_close(const Point_3& p, const Point_3& q) const { return squared_distance(p, q) <= square(m_width); }
 
+  // How far apart two edges may be that become one.
+  double width(std::size_t edge, std::size_t other) const
+  {
+    const auto& edges = m_model->edges();
+    return (std::max)(m_width, (std::min)({edges[edge].tolerance, edges[other].tolerance, m_trusted_tolerance}));
+  }
+
   std::size_t vertex_before(const Directed_edge& e) const
   {
     return e.is_reversed ? m_model->edges()[e.edge].target : m_model->edges()[e.edge].source;
@@ -159,8 +169,10 @@ private:
     if(!curve(edge) || std::any_of(chain.begin(), chain.end(), has_no_curve))
       return false;
     const auto point = [this](const Directed_edge& e, double t) { return curve(e.edge)->point(e.is_reversed ? 1 - t : t); };
-    return are_close(point({edge, false}, 0), point(chain.front(), 0))
-           && are_close(point({edge, false}, 1), point(chain.back(), 1));
+    const auto is_end_close = [&](const Directed_edge& other, double t) {
+      return squared_distance(point({edge, false}, t), point(other, t)) <= square(width(edge, other.edge));
+    };
+    return is_end_close(chain.front(), 0) && is_end_close(chain.back(), 1);
   }
 
   Edge_chain in_place(const Edge_chain& chain) const
@@ -199,6 +211,7 @@ struct Edge_place
 {
   bool is_point;               // whether a vertex stands for it
   Edge_merging::Pieces pieces; // none if the edge stands for itself
+  Unit_range range{0, 1};      // the part of the edge between its vertices, as parameters of its curves
 };
 
 } // namespace internal

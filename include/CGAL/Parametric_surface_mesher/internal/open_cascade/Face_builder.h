@@ -100,11 +100,11 @@ public:
     if(loops.empty())
       throw Parametric_surface_mesh_error("the face has no boundary");
     Loop_closer close(m_result.model, m_surface, m_vertex_tolerances, least_tolerance * m_result.diagonal,
-                      distrusted_gap * m_result.diagonal);
+                      distrusted_gap * m_result.diagonal, 0.5 * refused_gap * m_result.diagonal);
     close(loops);
     for(const Loop& loop : loops)
       for(const Edge_use& use : loop)
-        measure_gap(use);
+        measure_gap(use, close.bend_of(use.edge));
     keep_gaps();
     return Model::Face{m_surface, std::move(loops)};
   }
@@ -146,6 +146,13 @@ private:
            && (m_chart || gap(use.edge, use.curve) > (std::max)(distrusted_gap * m_result.diagonal, trusted_tolerances * edge.tolerance));
   }
 
+  // The part of a curve of an edge between the vertices.
+  Curve in_range(const Curve& curve, std::size_t edge) const
+  {
+    const Unit_range& range = m_places[edge].range;
+    return range.length() == 1 ? curve : restricted(curve, range);
+  }
+
   Curve charted(const Curve& curve) const { return m_chart ? m_chart->curve(m_original, curve) : curve; }
 
   // The curve of the file or, if that is missing or far from the edge, a projected one if that is closer.
@@ -153,14 +160,14 @@ private:
   {
     std::optional<Curve> curve = convert_domain_curve<Kernel>(edge, m_face);
     if(curve)
-      curve = charted(*curve);
+      curve = charted(in_range(*curve, number));
     const double gap = curve ? this->gap(number, *curve) : 0;
     if(curve && !(gap > distrusted(number)))
       return *curve;
     if(!BRep_Tool::IsClosed(edge, m_face)) {
       std::optional<Curve> other = project_domain_curve<Kernel>(edge, m_face);
       if(other)
-        other = charted(*other);
+        other = charted(in_range(*other, number));
       if(other && (!curve || this->gap(number, *other) < 0.5 * gap)) {
         ++m_result.number_of_rebuilt_curves;
         return *other;
@@ -205,9 +212,10 @@ private:
     return std::sqrt(squared);
   }
 
-  void measure_gap(const Edge_use& use)
+  // `known`: a gap of the curve in the file that is closed
+  void measure_gap(const Edge_use& use, double known)
   {
-    const double distance = gap(use.edge, use.curve);
+    const double distance = (std::max)(known, gap(use.edge, use.curve));
     if(!(distance <= refused_gap * m_result.diagonal))
       throw Parametric_surface_mesh_error(numbered("edge", use.edge) + ": the image of its curve in the domain is "
                                           + describe(distance) + " away from the edge; its tolerance is "

@@ -51,7 +51,7 @@ class Narrow_face_closer
 
   const Model& m_model;
   const TopTools_IndexedMapOfShape& m_faces;
-  double m_width;
+  double m_width, m_trusted_tolerance;
   std::vector<bool> m_is_short; // by edge: not longer than the width, and not a point
   std::vector<std::vector<Wire>> m_wires; // by face
   std::vector<bool> m_is_kept; // by face: stays although it may be narrow
@@ -62,8 +62,9 @@ class Narrow_face_closer
 public:
   // \pre the model has the vertices and the edges of the shape
   Narrow_face_closer(const Model& model, const TopTools_IndexedMapOfShape& edges, const TopTools_IndexedMapOfShape& faces,
-                     double width)
-    : m_model(model), m_faces(faces), m_width(width), m_is_kept(std::size_t(faces.Extent()), false), m_merging(model, width)
+                     double width, double trusted_tolerance)
+    : m_model(model), m_faces(faces), m_width(width), m_trusted_tolerance(trusted_tolerance),
+      m_is_kept(std::size_t(faces.Extent()), false), m_merging(model, width, trusted_tolerance)
   {
     for(std::size_t e = 0; e < model.edges().size(); ++e)
       m_is_short.push_back(succeeds([&] { return is_short(e); }));
@@ -88,7 +89,7 @@ public:
 
   // What replaces a vertex.
   std::size_t vertex_place(std::size_t v) const { return m_merging.vertex(v); }
-  Edge_place edge_place(std::size_t e) const { return {is_point(m_merging, e), m_merging.pieces(e)}; }
+  Edge_place edge_place(std::size_t e) const { return {is_point(m_merging, e), m_merging.pieces(e), {0, 1}}; }
 
 private:
   static std::vector<Wire> wires_of(const TopoDS_Shape& face, const TopTools_IndexedMapOfShape& edges)
@@ -137,7 +138,7 @@ private:
 
   void close_up_all()
   {
-    m_merging = Edge_merging(m_model, m_width);
+    m_merging = Edge_merging(m_model, m_width, m_trusted_tolerance);
     m_closed_up.clear();
     m_refused.clear();
     for(const bool is_long : {false, true}) // small faces first: they may be at the ends of narrow ones
@@ -177,14 +178,12 @@ private:
     };
     const std::vector<bool> before = m_is_kept;
     std::for_each(m_refused.begin(), m_refused.end(), keep);
-    for(bool is_any_new = true; is_any_new;) {
-      is_any_new = false;
+    for(bool is_any_new = true; std::exchange(is_any_new, false);)
       for(std::size_t f = 0; f < m_wires.size(); ++f)
         if(!m_is_kept[f] && is_closed_up(f) && has_any(f, edges)) {
           keep(f);
           is_any_new = true;
         }
-    }
     if(m_is_kept == before) // the cause is unknown: no face is closed up
       m_is_kept.assign(m_is_kept.size(), true);
   }
@@ -213,7 +212,7 @@ private:
     Edge_merging merging = m_merging;
     double width = 0;
     const auto merge = [&] { return merge_short_edges(f, merging, width) && merge_long_edges(f, merging, width); };
-    if(!succeeds(merge) || !succeeds([&] { return is_area_small(f); }))
+    if(!succeeds(merge) || !succeeds([&] { return is_area_small(f, (std::max)(width, m_width)); }))
       return;
     m_closed_up[f] = width;
     if(are_neighbors_well(merging))
@@ -318,8 +317,7 @@ private:
     return result;
   }
 
-  // The chain of the other edges of a face from the source of the longest one to its target (or back to the source, if that is
-  // closed).
+  // The chain of the other edges of a face from the source of the longest one to its target, which may be the same.
   static Edge_chain chain_of(const Edge_merging& merging, std::size_t longest, std::vector<std::size_t> others)
   {
     if(std::find(others.begin(), others.end(), longest) != others.end())
@@ -340,12 +338,12 @@ private:
   }
 
   // Two edges side by side may also bound the rest of a closed surface, whose area is large.
-  bool is_area_small(std::size_t f) const
+  bool is_area_small(std::size_t f, double width) const
   {
     GProp_GProps area, perimeter;
     BRepGProp::SurfaceProperties(m_faces(int(f) + 1), area);
     BRepGProp::LinearProperties(m_faces(int(f) + 1), perimeter);
-    return std::fabs(area.Mass()) <= m_width * perimeter.Mass();
+    return std::fabs(area.Mass()) <= width * perimeter.Mass();
   }
 
   // Whether the boundaries of all remaining faces still bound them.

@@ -18,6 +18,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Narrow_face_closer.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_curves.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/join_vertices.h>
 
 #include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
@@ -53,6 +54,7 @@ class Shape_model_builder
   Open_cascade_model_3 m_result;
   TopTools_IndexedMapOfShape m_vertices, m_edges, m_faces;
   std::vector<double> m_vertex_tolerances;
+  std::vector<Unit_range> m_ranges; // by edge of the shape: the part of its curve that is used
   std::vector<Edge_place> m_places; // by edge of the shape
   std::set<std::size_t> m_closed_up; // by indices in the shape
 
@@ -76,6 +78,9 @@ public:
       add_vertex(TopoDS::Vertex(m_vertices(i)));
     for(int i = 1; i <= m_edges.Extent(); ++i)
       add_edge(TopoDS::Edge(m_edges(i).Oriented(TopAbs_FORWARD)));
+    Vertex_joiner join_vertices(model(), m_edges, m_vertex_tolerances, same_point * m_result.diagonal,
+                                trusted_tolerance * m_result.diagonal);
+    m_result.number_of_joined_vertices = join_vertices(m_faces);
     close_narrow_faces(closed_up_width * m_result.diagonal);
     list_inner_edges();
     add_shells(shape);
@@ -86,6 +91,14 @@ public:
 private:
   // Only boxes of unbounded curves and surfaces are larger, in which some coordinates stand for infinity.
   static constexpr double largest_squared_extent = 1e30;
+  // A curve is cut where it runs beyond its vertex by more than this share of the diagonal, a hundredth of the minimum edge that
+  // mesh_cad takes by default; if it passes the vertex at less than a share of the distance at which it ends; and if more than a
+  // share of it is left.
+  static constexpr double least_overrun = 1e-5, share_of_overrun = 0.5, least_rest = 0.1;
+  // As shares of the diagonal. Vertices closer than the first are one point, whatever their tolerances are; the default precision of
+  // Open CASCADE for a shape of size 1. What a file says of its tolerances is believed up to the second, half of the distance that a
+  // mesh may have from its shape by default, when edges or vertices are taken for one.
+  static constexpr double same_point = 1e-7, trusted_tolerance = 2.5e-4;
 
   Model& model() { return m_result.model; }
 
@@ -125,7 +138,35 @@ private:
     }
     else
       result.source = result.target = add_vertex_on(result);
+    m_ranges.push_back(range_between_vertices(result));
+    if(m_ranges.back().length() < 1)
+      result.curve = restricted(result.curve, m_ranges.back());
     model().add_edge(std::move(result));
+  }
+
+  // The part of an edge between its vertices: less than all of it if its curve runs beyond them. If the curve cannot be evaluated,
+  // building a face will report the error.
+  Unit_range range_between_vertices(const Model::Edge& edge)
+  {
+    try {
+      return edge.curve ? guarded([&] { return found_range(edge); }) : Unit_range{0, 1};
+    }
+    catch(const std::exception&) {
+      return {0, 1};
+    }
+  }
+
+  Unit_range found_range(const Model::Edge& edge)
+  {
+    Unit_range result{0, 1};
+    for(double* t : {&result.first, &result.last}) {
+      const auto& vertex = model().vertices()[t == &result.first ? edge.source : edge.target];
+      const auto squared = [&](double s) { return squared_distance(edge.curve->point(s), vertex); };
+      const double near = parameter_near_end(*edge.curve, *t, vertex);
+      if(squared(near) < square(share_of_overrun) * squared(*t) && squared(*t) > square(least_overrun * m_result.diagonal))
+        *t = near;
+    }
+    return result.length() > least_rest ? result : Unit_range{0, 1};
   }
 
   // Adds the vertex of an edge without vertices, which must be a closed curve.
@@ -137,7 +178,7 @@ private:
 
   void close_narrow_faces(double width)
   {
-    const Narrow_face_closer closer(model(), m_edges, m_faces, width);
+    const Narrow_face_closer closer(model(), m_edges, m_faces, width, trusted_tolerance * m_result.diagonal);
     m_result.closed_up = closer.closed_up();
     for(const auto& face : m_result.closed_up)
       m_closed_up.insert(face.shape_face);
@@ -145,6 +186,7 @@ private:
       move_vertex(v, closer.vertex_place(v));
     for(std::size_t e = 0; e < m_result.number_of_shape_edges; ++e) {
       m_places.push_back(closer.edge_place(e));
+      m_places.back().range = m_ranges[e];
       move_edge(e, closer);
     }
   }

@@ -25,6 +25,7 @@
 #include <gp_Circ.hxx>
 #include <gp_Circ2d.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -83,6 +84,48 @@ std::shared_ptr<const Space_curve_3<Kernel>> convert_space_curve(const TopoDS_Ed
                                  range.length() * range.length() * to_vector<Kernel>(second.XYZ())};
     },
     0, 1);
+}
+
+// The part of a curve over a range of its parameters, with parameters from 0 to 1.
+template <class Kernel>
+std::shared_ptr<const Space_curve_3<Kernel>> restricted(const std::shared_ptr<const Space_curve_3<Kernel>>& curve,
+                                                        const Unit_range& range)
+{
+  typedef Space_curve_3<Kernel> Curve;
+  return std::make_shared<const Curve>(
+    [curve, range](double t) {
+      const auto jet = curve->jet(range(t));
+      return typename Curve::Jet{jet.point, range.length() * jet.first, range.length() * range.length() * jet.second};
+    },
+    0, 1);
+}
+
+template <class Kernel>
+Domain_curve_2<Kernel> restricted(const Domain_curve_2<Kernel>& curve, const Unit_range& range)
+{
+  typedef Domain_curve_2<Kernel> Curve;
+  if(curve.is_straight())
+    return Curve::segment(curve.point(range.first), curve.point(range.last));
+  return Curve(
+    [curve, range](double t) {
+      const auto jet = curve.jet(range(t));
+      return typename Curve::Jet{jet.point, range.length() * jet.first, range.length() * range.length() * jet.second};
+    },
+    0, 1);
+}
+
+// The parameter close to `t`, but not beyond the middle of the curve, where a curve with parameters from 0 to 1 is closest to a point.
+template <class Kernel>
+double parameter_near_end(const Space_curve_3<Kernel>& curve, double t, const typename Kernel::Point_3& p)
+{
+  const int number_of_newton_steps = 4;
+  const double end = t;
+  for(int i = 0; i < number_of_newton_steps; ++i) {
+    const auto jet = curve.jet(t);
+    const double next = t - (jet.point - p) * jet.first / jet.first.squared_length();
+    t = end < 0.5 ? (std::min)((std::max)(next, 0.), 0.5) : (std::max)((std::min)(next, 1.), 0.5);
+  }
+  return std::isfinite(t) ? t : end;
 }
 
 inline bool is_segment(const Geom2dAdaptor_Curve& curve)
