@@ -15,8 +15,8 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Shape_sewing.h>
 
-#include <BRepBuilderAPI_Sewing.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
@@ -40,7 +40,8 @@ struct Sewn_open_cascade_shape
 
 joins the faces of a shape, by `BRepBuilderAPI_Sewing` of Open CASCADE: edges without a second face that are no farther apart
 than a tolerance become one, and the faces at them a shell. The faces of an IGES file have edges of their own, so that
-a solid comes as loose faces, and its mesh with as many borders; sewn, it is closed. The given shape is not changed.
+a solid comes as loose faces, and its mesh with as many borders; sewn, it is closed. Solids and shells that are closed stay as
+they are, and a solid that is open is sewn for itself: several solids remain several. The given shape is not changed.
 Numbers of faces and edges may change.
 
 \param shape a shape with faces
@@ -58,15 +59,11 @@ inline Sewn_open_cascade_shape sew_open_cascade_shape(const TopoDS_Shape& shape,
     return std::size_t(faces.Extent());
   };
   return Parametric_surface_mesher::internal::guarded([&] {
-    BRepBuilderAPI_Sewing sewing(tolerance);
-    sewing.Add(shape);
-    sewing.Perform();
+    const Parametric_surface_mesher::internal::Shape_sewing sewing(shape, tolerance);
     Sewn_open_cascade_shape result;
-    result.shape = sewing.SewedShape();
-    if(result.shape.IsNull())
-      throw Parametric_surface_mesh_error("there is nothing to sew");
-    result.number_of_sewn_edges = std::size_t(sewing.NbContigousEdges());
-    result.number_of_free_edges = std::size_t(sewing.NbFreeEdges());
+    result.shape = sewing.shape();
+    result.number_of_sewn_edges = sewing.number_of_sewn_edges();
+    result.number_of_free_edges = sewing.number_of_free_edges();
     const std::size_t before = number_of_faces(shape), after = number_of_faces(result.shape);
     result.number_of_lost_faces = before > after ? before - after : 0;
     return result;

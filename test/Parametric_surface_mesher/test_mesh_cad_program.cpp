@@ -14,6 +14,7 @@
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -188,6 +189,15 @@ TEST_F(Mesh_cad_program, follows_sizes)
 TEST_F(Mesh_cad_program, follows_the_unit)
 {
   EXPECT_NEAR(json("box.step --quiet --unit M")["area"], 22e-6, 1e-12);
+  STEPControl_Writer step;
+  step.Transfer(BRepPrimAPI_MakeCylinder(1, 2).Shape(), STEPControl_AsIs);
+  step.Write(file("round.step").c_str());
+  const auto in_millimetres = json("round.step --quiet --max-edge 0.2"), in_kilometres = json("round.step --quiet --unit KM --max-edge 2e-7");
+  for(const char* number : {"faces", "meshed_faces", "triangles", "closed"})
+    EXPECT_EQ(in_kilometres[number], in_millimetres[number]) << number;
+  for(const char* length : {"diagonal", "max_edge", "min_edge", "distance"})
+    EXPECT_NEAR(in_kilometres[length], 1e-6 * in_millimetres[length].get<double>(), 1e-12) << length;
+  EXPECT_NEAR(in_kilometres["area"], 1e-12 * in_millimetres["area"].get<double>(), 1e-16);
 }
 
 TEST_F(Mesh_cad_program, meshes_some_faces_only)
@@ -319,6 +329,8 @@ TEST_F(Mesh_cad_program, refuses_what_it_cannot_do)
   expect_refused("box.step --face-size 1", "--face-size");
   expect_refused("box.step --edge-size 99:1", "there is no edge 99");
   expect_refused("box.step --unit PARSEC", "not a unit");
+  expect_refused("box.step --edge-size 1:1e-9", "is below that of --min-edge");
+  expect_refused("box.step --face-size 1:1e-9", "is below that of --min-edge");
   expect_refused("box.step --out nowhere/a.off", "cannot write");
 }
 

@@ -333,6 +333,22 @@ TEST(Dirty_shapes, loose_faces_are_sewn)
   EXPECT_THROW(CGAL::sew_open_cascade_shape(loose, 0), CGAL::Parametric_surface_mesh_error);
 }
 
+// Two boxes that touch, and the open faces of a third one.
+TEST(Dirty_shapes, solids_stay_solids_when_faces_are_sewn)
+{
+  std::vector<TopoDS_Shape> shapes{BRepPrimAPI_MakeBox(1, 1, 1).Shape(), BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), 1, 1, 1).Shape()};
+  for(TopExp_Explorer face(BRepPrimAPI_MakeBox(gp_Pnt(5, 0, 0), 1, 2, 3).Shape(), TopAbs_FACE); face.More(); face.Next())
+    shapes.push_back(BRepBuilderAPI_Copy(face.Current()).Shape());
+  const CGAL::Sewn_open_cascade_shape sewn = CGAL::sew_open_cascade_shape(compound_of(shapes), 1e-5);
+  EXPECT_EQ(sewn.number_of_sewn_edges, 12u);
+  EXPECT_EQ(sewn.number_of_lost_faces, 0u);
+  std::size_t number_of_solids = 0;
+  for(TopExp_Explorer solid(sewn.shape, TopAbs_SOLID); solid.More(); solid.Next())
+    ++number_of_solids;
+  EXPECT_EQ(number_of_solids, 2u);
+  EXPECT_TRUE(Meshed_shape(sewn.shape).quality.is_closed);
+}
+
 TEST(Dirty_shapes, edges_inside_faces_are_named)
 {
   TopoDS_Face face = face_of(polygon({gp_Pnt(0, 0, 0), gp_Pnt(4, 0, 0), gp_Pnt(4, 4, 0), gp_Pnt(0, 4, 0)}), new Geom_Plane(gp_Pln()));

@@ -103,7 +103,7 @@ inline po::options_description described_options(Mesh_cad_options& o)
   po::options_description input("Input", 92);
   input.add_options()
     ("faces", text(o.face_list, "LIST"), "mesh these faces only, for example 1,4,7-9")
-    ("unit", text(o.unit, "UNIT"), "unit of length of the result: MM, CM, M, KM, INCH, FT ... (MM); BREP files have no unit")
+    ("unit", text(o.unit, "UNIT"), "unit of lengths, of options and results: UM, MM, CM, M, KM, UIN, MIL, INCH, FT or MI (MM); BREP files have no unit")
     ("threads", po::value<unsigned int>(&o.threads)->value_name("N"), "number of threads that mesh faces (1)")
     ("sew", number(o.sewing_tolerance), "join edges of different faces that are at most this far apart; IGES files are sewn by default, 0 turns this off (IGES: 0.00001 of the diagonal, others: 0)")
     ("heal", po::bool_switch(&o.is_healing_wanted), "let Open CASCADE repair the shape first (ShapeFix_Shape)");

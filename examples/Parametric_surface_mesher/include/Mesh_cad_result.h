@@ -8,6 +8,7 @@
 #include "Mesh_cad_options.h"
 #include "Progress_line.h"
 #include "measure_cad_mesh.h"
+#include "unit_of_length.h"
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
@@ -141,13 +142,23 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_optio
   return criteria.set_distance(o.distance > 0 ? o.distance : o.relative_distance * diagonal);
 }
 
-inline void check_spheres(const Size_spheres& spheres, const CGAL::Parametric_surface_mesh_criteria& criteria)
+// `unit`: in millimetres, that of the message
+inline void check_size(const char* option, double length, const CGAL::Parametric_surface_mesh_criteria& criteria, double unit)
 {
-  if(spheres.smallest_length() >= criteria.min_edge())
+  if(length >= criteria.min_edge())
     return;
   std::ostringstream message;
-  message << "--sphere-size: the length " << spheres.smallest_length() << " is below that of --min-edge, " << criteria.min_edge();
+  message << option << ": the length " << length / unit << " is below that of --min-edge, " << criteria.min_edge() / unit;
   throw Usage_error(message.str());
+}
+
+inline void check_sizes(const Mesh_cad_options& options, const CGAL::Parametric_surface_mesh_criteria& criteria, double unit)
+{
+  check_size("--sphere-size", options.spheres.smallest_length(), criteria, unit);
+  for(const auto& size : options.max_edge_of_face)
+    check_size("--face-size", size.second, criteria, unit);
+  for(const auto& size : options.max_edge_of_edge)
+    check_size("--edge-size", size.second, criteria, unit);
 }
 
 // Suppresses the messages about a file that Open CASCADE's readers write to std::cout, as long as the object exists.
@@ -180,7 +191,7 @@ inline double sewing_tolerance(const Mesh_cad_options& options, const TopoDS_Sha
 inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result& result)
 {
   const Silence silence;
-  TopoDS_Shape shape = CGAL::IO::read_open_cascade_shape(options.input, options.unit, result.file_faults);
+  TopoDS_Shape shape = CGAL::IO::read_open_cascade_shape(options.input, "MM", result.file_faults);
   const double tolerance = sewing_tolerance(options, shape);
   if(tolerance > 0) {
     const CGAL::Sewn_open_cascade_shape sewn = CGAL::sew_open_cascade_shape(shape, tolerance);
@@ -227,8 +238,19 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
     result.left_out.push_back({result.shape.shape_faces[face.face], face.reason});
 }
 
-inline void mesh_and_measure(const Mesh_cad_options& options, Mesh_cad_result& result)
+// BREP files have no unit.
+inline double unit_in_millimetres(const Mesh_cad_options& options)
 {
+  const double result = millimetres_of(options.unit);
+  const std::string ending = CGAL::Parametric_surface_mesher::internal::ending_of(options.input);
+  return ending == "brep" || ending == "rle" ? 1 : result;
+}
+
+inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& result)
+{
+  const double unit = unit_in_millimetres(given);
+  Mesh_cad_options options = given;
+  scale_lengths(unit, options);
   TopoDS_Shape shape;
   result.reading_seconds = seconds_of([&] { shape = read_shape(options, result); });
   if(!TopExp_Explorer(shape, TopAbs_FACE).More())
@@ -240,11 +262,12 @@ inline void mesh_and_measure(const Mesh_cad_options& options, Mesh_cad_result& r
   });
   result.left_out = result.shape.left_out;
   result.criteria = make_criteria(options, result.shape.diagonal);
-  check_spheres(options.spheres, result.criteria);
+  check_sizes(options, result.criteria, unit);
   result.meshing_seconds = seconds_of([&] { make_mesh(options, result); });
   result.measuring_seconds = seconds_of([&] {
-    result.quality = CGAL::triangle_mesh_quality(result.mesh.mesh);
     result.measures = measure(result.mesh, result.shape, result.criteria.min_edge());
+    scale_lengths(1 / unit, result);
+    result.quality = CGAL::triangle_mesh_quality(result.mesh.mesh);
   });
 }
 

@@ -37,6 +37,13 @@ public:
     return result;
   }
 
+  void scale(double factor)
+  {
+    for(Size_sphere& s : m_spheres)
+      for(double* length : {&s.x, &s.y, &s.z, &s.radius, &s.length})
+        *length *= factor;
+  }
+
   // the wanted edge length at a point
   template <class Point_3>
   double operator()(const Point_3& p) const

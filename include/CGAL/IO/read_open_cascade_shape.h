@@ -32,7 +32,8 @@ function throws an exception. The limit of the processor time is 10 seconds and 
 
 \param file_name the name of the file
 \param unit the unit of length of the result. Lengths in STEP and IGES files are converted from the unit of the file; a BREP
-            file has no unit, and its lengths are not changed.
+            file has no unit, and its lengths are not changed. Tolerances of Open CASCADE are absolute: a shape whose lengths are
+            far below 1 loses faces. Read it in millimetres, and scale the mesh.
 \param faults takes a sentence for each kind of thing that is in the file but not in the shape: faces that could not be read,
               damaged loops, a missing end. It is empty for a file that was read completely.
 

@@ -1,0 +1,63 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The unit of length of mesh_cad's results. Files are read and meshed in millimetres, since tolerances of Open CASCADE are absolute: in
+// kilometres, parts of a machine would be smaller than these.
+#ifndef UNIT_OF_LENGTH_H
+#define UNIT_OF_LENGTH_H
+
+#include "Mesh_cad_options.h"
+#include "Usage_error.h"
+
+#include <map>
+#include <string>
+#include <type_traits>
+
+namespace mesh_cad {
+
+// The names are those of Open CASCADE.
+inline double millimetres_of(const std::string& unit)
+{
+  static const std::map<std::string, double> units{{"UM", 1e-3}, {"MM", 1},    {"CM", 10},     {"M", 1e3},       {"KM", 1e6},
+                                                   {"UIN", 25.4e-6}, {"MIL", 25.4e-3}, {"INCH", 25.4}, {"FT", 304.8}, {"MI", 1609344}};
+  const auto found = units.find(unit);
+  if(found == units.end())
+    throw Usage_error("--unit: '" + unit + "' is not a unit of length: UM, MM, CM, M, KM, UIN, MIL, INCH, FT or MI");
+  return found->second;
+}
+
+inline void scale_lengths(double factor, Mesh_cad_options& options)
+{
+  for(double* length : {&options.max_edge, &options.min_edge, &options.distance, &options.sewing_tolerance})
+    *length *= factor;
+  for(auto* sizes : {&options.max_edge_of_face, &options.max_edge_of_edge})
+    for(auto& size : *sizes)
+      size.second *= factor;
+  options.spheres.scale(factor);
+}
+
+// Scales the mesh and what was measured in lengths.
+template <class Result>
+void scale_lengths(double factor, Result& result)
+{
+  if(factor == 1)
+    return;
+  for(const auto v : result.mesh.mesh.vertices()) {
+    auto& p = result.mesh.mesh.point(v);
+    p = typename std::decay<decltype(p)>::type(factor * p.x(), factor * p.y(), factor * p.z());
+  }
+  for(double* length : {&result.measures.distance, &result.shape.diagonal, &result.shape.largest_gap, &result.report.max_edge,
+                        &result.report.min_edge})
+    *length *= factor;
+  for(auto& face : result.shape.closed_up)
+    face.width *= factor;
+  for(auto& gap : result.shape.gaps) {
+    gap.distance *= factor;
+    gap.tolerance *= factor;
+  }
+  result.criteria.set_max_edge(factor * result.criteria.max_edge()).set_min_edge(factor * result.criteria.min_edge());
+}
+
+} // namespace mesh_cad
+
+#endif // UNIT_OF_LENGTH_H
