@@ -123,3 +123,53 @@ TEST(Chord_splitter, splits_one_of_two_edges_to_copies_of_a_vertex)
   while(++v != first);
   EXPECT_EQ(1u, number_of_spokes);
 }
+
+namespace {
+
+// A trapezoid with these indices of its corners, the lower ones first; its lower side is collapsed if they are equal.
+std::vector<Vertex_handle> make_trapezoid(Triangulation& t, const std::vector<std::size_t>& indices)
+{
+  const std::vector<Plane_kernel::Point_2> corners = {{-1, 0}, {1, 0}, {2, 3}, {-2, 3}};
+  std::vector<Vertex_handle> result;
+  for(const auto& p : corners)
+    result.push_back(t.insert(at(p)));
+  for(std::size_t i = 0; i < 4; ++i) {
+    t.insert_constraint(result[i], result[(i + 1) % 4]);
+    result[i]->set_index(indices[i]);
+    result[i]->set_on_boundary(true);
+  }
+  return result;
+}
+
+void set_in_domain(Triangulation& t)
+{
+  for(auto face : t.finite_face_handles())
+    face->set_in_domain(true);
+}
+
+} // namespace
+
+// The triangle between the two edges is collapsed: in the mesh they are one edge. Each split would make the next triangle of
+// this kind, down to nothing.
+TEST(Chord_splitter, leaves_edges_to_both_ends_of_a_collapsed_side)
+{
+  Chords chords;
+  Triangulation t;
+  make_trapezoid(t, {0, 0, 1, 2});
+  t.insert(at({0, 1}));
+  set_in_domain(t);
+  split_chords(t, chords);
+  EXPECT_EQ(5u, t.number_of_vertices());
+}
+
+// Without an inner vertex the diagonal and the side beside the collapsed triangle are one edge, which is that of the boundary.
+TEST(Chord_splitter, leaves_a_chord_that_is_one_with_an_edge_of_the_boundary)
+{
+  Chords chords = {{0, 1}, {1, 2}, {0, 2}};
+  Triangulation t;
+  make_trapezoid(t, {0, 0, 1, 2});
+  set_in_domain(t);
+  split_chords(t, chords);
+  EXPECT_EQ(4u, t.number_of_vertices());
+  EXPECT_EQ((Chords{{0, 1}, {1, 2}, {0, 2}}), chords);
+}

@@ -26,7 +26,8 @@ namespace internal {
 // A chord is an inner edge of a patch between two boundary vertices. Where patches are as narrow as their edges are long,
 // two of them (or one, across its seam) can have chords between the same two vertices, and the mesh would not be manifold.
 // The same is true of an inner vertex that is joined to two copies of a vertex on a seam. The first such edge stays; others are
-// split in the middle.
+// split in the middle. Edges to copies of a vertex at both ends of a collapsed side, with nothing but a collapsed triangle
+// between them, are one edge.
 template <class Evaluator>
 class Chord_splitter
 {
@@ -35,6 +36,7 @@ class Chord_splitter
   typedef typename Triangulation::Face_handle Face_handle;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef std::pair<Vertex_handle, Vertex_handle> Chord;
+  typedef std::pair<Face_handle, int> Edge;
   typedef typename Indexed_mesh<Kernel>::Chords Chords;
 
   static const int max_number_of_passes = 10;
@@ -45,8 +47,9 @@ class Chord_splitter
   Chords m_chords; // those of this patch
   Vertex_insertion<Triangulation> m_insertion;
   bool m_has_copies = false; // whether vertices have copies, so that an inner vertex may be joined to two of them
-  // Only looked up and never iterated over, so that addresses do not influence the mesh.
-  std::map<std::pair<const void*, std::size_t>, Vertex_handle> m_spokes;
+  // Only looked up and never iterated over, so that addresses do not influence the mesh. The chords are those by indices.
+  std::map<std::pair<const void*, std::size_t>, Chord> m_spokes;
+  std::map<std::pair<std::size_t, std::size_t>, Chord> m_first_chords;
 
 public:
   Chord_splitter(Triangulation& triangulation, const Evaluator& evaluate, Chords& chords)
@@ -72,6 +75,7 @@ private:
   {
     m_chords.clear();
     m_spokes.clear();
+    m_first_chords.clear();
     std::vector<Vertex_handle> boundary;
     for(Vertex_handle vertex : m_triangulation.finite_vertex_handles())
       if(vertex->is_on_boundary()) // that of the patch, or of the part of it
@@ -100,27 +104,70 @@ private:
     do {
       const int i = Triangulation::ccw(face->index(vertex)); // the edge that ends at the vertex
       if(face->is_in_domain() && !face->is_constrained(i))
-        collect(face->vertex(Triangulation::ccw(i)), vertex, repeated);
+        collect(face, i, repeated);
     } while(++face != first);
   }
 
-  void collect(Vertex_handle v, Vertex_handle w, std::vector<Chord>& repeated)
+  // Edge `i`, which ends at a boundary vertex.
+  void collect(Face_handle face, int i, std::vector<Chord>& repeated)
   {
+    const Vertex_handle v = face->vertex(Triangulation::ccw(i)), w = face->vertex(Triangulation::cw(i));
     if(!v->is_on_boundary()) {
       if(m_has_copies)
-        collect_spoke(v, w, repeated);
+        collect_spoke(face, i, repeated);
     }
-    else if(v->index() <= w->index()) // each chord is visited from both sides; one of them counts
-      if(v->index() == w->index() || m_chords_of_shell.count({v->index(), w->index()}) > 0
-         || !m_chords.emplace(v->index(), w->index()).second)
-        repeated.emplace_back(v, w);
+    else if(v->index() < w->index()) // each chord is visited from both sides; one of them counts
+      collect_chord(face, i, repeated);
+    else if(v->index() == w->index())
+      repeated.emplace_back(v, w);
   }
 
-  void collect_spoke(Vertex_handle inner, Vertex_handle w, std::vector<Chord>& repeated)
+  void collect_spoke(Face_handle face, int i, std::vector<Chord>& repeated)
   {
-    const Vertex_handle first = m_spokes.emplace(std::make_pair(&*inner, w->index()), w).first->second;
-    if(first != w)
-      repeated.emplace_back(inner, w);
+    const Chord edge = end_points(face, i), first = end_points(last_of_same_edge(face, i));
+    if(m_spokes.emplace(std::make_pair(&*edge.first, edge.second->index()), first).first->second != first)
+      repeated.push_back(edge);
+  }
+
+  void collect_chord(Face_handle face, int i, std::vector<Chord>& repeated)
+  {
+    const Chord edge = end_points(face, i);
+    const std::pair<std::size_t, std::size_t> indices(edge.first->index(), edge.second->index());
+    Chord first = edge;
+    if(m_has_copies) {
+      const Edge last = last_of_same_edge(face, i),
+                 last_on_other_side = last_of_same_edge(face->neighbor(i), m_triangulation.mirror_index(face, i));
+      if(last.first->is_constrained(last.second) || last_on_other_side.first->is_constrained(last_on_other_side.second))
+        return; // it is an edge of the boundary
+      first = end_points(last);
+    }
+    if(m_chords_of_shell.count(indices) > 0 || m_first_chords.emplace(indices, first).first->second != first)
+      repeated.push_back(edge);
+    else
+      m_chords.insert(indices);
+  }
+
+  // the ends of an edge with the face on its left
+  static Chord end_points(Face_handle face, int i)
+  {
+    return {face->vertex(Triangulation::ccw(i)), face->vertex(Triangulation::cw(i))};
+  }
+  static Chord end_points(const Edge& edge) { return end_points(edge.first, edge.second); }
+
+  // Edges with a collapsed triangle between them are one edge of the mesh. The last of those on the left of edge `i`.
+  Edge last_of_same_edge(Face_handle face, int i) const
+  {
+    const Edge start(face, i);
+    for(bool is_first = true; !face->is_constrained(i) && (is_first || Edge(face, i) != start); is_first = false) {
+      const Vertex_handle v = face->vertex(Triangulation::ccw(i)), w = face->vertex(Triangulation::cw(i)), apex = face->vertex(i);
+      if(!face->is_in_domain() || !apex->is_on_boundary() || (apex->index() != v->index() && apex->index() != w->index()))
+        break;
+      const int next = apex->index() == w->index() ? Triangulation::cw(i) : Triangulation::ccw(i);
+      const Face_handle beyond = face->neighbor(next);
+      i = m_triangulation.mirror_index(face, next);
+      face = beyond;
+    }
+    return {face, i};
   }
 
   void split(const Chord& chord)
