@@ -125,6 +125,19 @@ public:
     return *this;
   }
 
+  /// the width of detail of a model that may vanish where it would make angles below 15 degrees: edges shorter than this become
+  /// a vertex, faces and parts of faces narrower than this are closed up, and the edges on both sides of them become one. No
+  /// point moves farther than this, and the topology of each shell stays as it is. Sheets that face each other, as the
+  /// sides of a thin wall, are not joined. The triangles meet the bound of the distance, if they did before.
+  /// `Parametric_surface_mesh_report::removed_details` tells what has vanished. A share, such as a half, of the bound of the
+  /// distance is a good choice. Default: nothing vanishes. Range: positive and finite.
+  Parametric_surface_mesh_criteria& set_detail(double width)
+  {
+    Parametric_surface_mesher::internal::check_positive_and_finite("width of detail", width);
+    m_tolerances.detail = width;
+    return *this;
+  }
+
   /// the number of lines, in each direction of the bounding box of the domain, where features are looked for that
   /// large triangles miss. A feature is found if it is higher than the criteria allow over a square with sides of two
   /// gaps between lines. Surfaces with a function `feature_lines()` (see `ParametricSurface_3`) are looked at on their own lines
@@ -245,6 +258,7 @@ public:
   double size_factor() const { return m_sizing.size_factor; }
   double growth() const { return m_sizing.growth; }
   const std::optional<double>& distance() const { return m_tolerances.distance; }
+  const std::optional<double>& detail() const { return m_tolerances.detail; }
   std::size_t feature_resolution() const { return m_tolerances.feature_resolution; }
   const std::optional<double>& closeness() const { return m_sizing.closeness; }
   /// the sizing field, or null.

@@ -13,6 +13,7 @@
 #include <CGAL/Parametric_surface_mesher/Mesh_criterion.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -40,6 +41,16 @@ struct Parametric_surface_mesh_report
   {
     std::size_t face;   ///< its index in the model
     std::string reason; ///< the error that it causes
+  };
+
+  /// detail of a face of the model that the mesh is without: see `Parametric_surface_mesh_criteria::set_detail()`.
+  struct Removed_detail
+  {
+    std::size_t face;                ///< the index of the face in the model
+    std::size_t number_of_triangles; ///< of its triangles that vanished, where edges or vertices of the model were joined
+    double moved;                    ///< how far points moved there, at most
+    std::array<double, 3> place;     ///< a point where it was
+    bool is_closed_up;               ///< whether the face has no triangle any more
   };
 
   /// time in seconds that was spent on each phase, by all threads together; if others use the processor, it counts, too.
@@ -87,6 +98,7 @@ struct Parametric_surface_mesh_report
   /// deviation and distance though they are not among the unmet
   std::size_t number_of_unjudged_faces = 0;
   std::vector<Left_out_face> left_out;     ///< faces of the model that could not be meshed, by their indices
+  std::vector<Removed_detail> removed_details; ///< by the indices of the faces
   Seconds seconds;
 
   /// the number of triangles that fail `criterion`, and maybe others, for `cause`.

@@ -106,7 +106,7 @@ Criteria_with_own<Criterion> with_own_criterion(const Parametric_surface_mesh_cr
   return Criteria_with_own<Criterion>(criteria, own);
 }
 
-// Meshes a model and hands the result over to `finish`, with the division. `Numbering` orders the points of the division.
+// Meshes a model and hands the result over to `finish`, with the points where several pieces of it may meet. `Numbering` orders the points of the division.
 template <class ConcurrencyTag, class Model, class NamedParameters, class Numbering, class Finish>
 Parametric_surface_mesh_report mesh_model(const Model& model, Bad_faces& bad_faces,
                                           const Parametric_surface_mesh_criteria& given_criteria,
@@ -127,11 +127,11 @@ Parametric_surface_mesh_report mesh_model(const Model& model, Bad_faces& bad_fac
   auto division = mesher.divide();
   Indexed_mesh<Kernel> mesh;
   mesh.keeps_domain_points = keeps_domain_points;
-  mesh.keeps_corner_points = keeps_corner_points;
+  mesh.keeps_corner_points = keeps_corner_points || given_criteria.detail();
   mesher.template mesh_faces<ConcurrencyTag>(division, number_points, mesh);
   Phase_timer timer(report.seconds.output);
   progress.on_phase("output");
-  finish(division, mesh);
+  finish(mesher.meeting_points(), mesh);
   report.number_of_vertices = mesh.number_of_points();
   return report;
 }
@@ -144,8 +144,8 @@ Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& mo
 {
   return mesh_model<ConcurrencyTag>(model, bad_faces, criteria, np, wants_domain_points<NamedParameters>(),
                                     wants_corner_points<NamedParameters>(), number_points,
-                                    [&](const auto& division, auto& mesh) {
-                                      separate_pieces<ConcurrencyTag>(mesh, shells(model), division.meeting_points());
+                                    [&](const auto& meeting_points, auto& mesh) {
+                                      separate_pieces<ConcurrencyTag>(mesh, shells(model), meeting_points);
                                       output<ConcurrencyTag>(mesh, tm, np);
                                     });
 }

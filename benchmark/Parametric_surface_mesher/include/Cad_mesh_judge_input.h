@@ -8,6 +8,7 @@
 
 #include "Cad_mesh_judge.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -16,10 +17,15 @@
 inline Judged_mesh judge_input(const Mesh_cad_result& result)
 {
   mesh_cad::Elements elements = mesh_cad::elements(result);
-  std::vector<std::size_t> closed_up;
+  std::vector<std::size_t> closed_up, thinned;
   for(const auto& face : result.shape.closed_up)
     closed_up.push_back(face.shape_face + 1);
-  return {std::move(elements.points), std::move(elements.triangles), std::move(elements.face_ids), closed_up};
+  for(const auto& detail : mesh_cad::details_by_face(result))
+    thinned.push_back(detail.first);
+  Judged_mesh mesh{std::move(elements.points), std::move(elements.triangles), std::move(elements.face_ids), closed_up, thinned};
+  if(result.criteria.detail())
+    mesh.closed_up_width = (std::max)(mesh.closed_up_width, *result.criteria.detail() / result.shape.diagonal);
+  return mesh;
 }
 
 #endif // CAD_MESH_JUDGE_INPUT_H

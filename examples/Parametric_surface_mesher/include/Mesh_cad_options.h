@@ -25,7 +25,7 @@ struct Mesh_cad_options
   std::string input, out, picture, json, unit = "MM";
   std::string face_list, face_sizes, edge_sizes;
   std::vector<std::string> sphere_list;
-  double max_edge = 0, min_edge = 0, distance = 0; // 0 if not given
+  double max_edge = 0, min_edge = 0, distance = 0, detail = 0; // 0 if not given
   double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8, growth = 0;
   double sewing_tolerance = -1; // 0 for never, below 0 if not given
   Size_spheres spheres;         // from `sphere_list`
@@ -33,7 +33,7 @@ struct Mesh_cad_options
   unsigned int threads = 1;
   std::set<std::size_t> faces;                                 // from `face_list`; empty for all
   std::map<std::size_t, double> max_edge_of_face, max_edge_of_edge; // from the lists of sizes
-  bool is_healing_wanted = false, is_quiet = false, is_help_wanted = false;
+  bool is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false;
 };
 
 namespace mesh_cad {
@@ -60,6 +60,8 @@ const char* const conclusion =
   "  faces, meshed_faces            the number of faces of the shape, and of those in the mesh\n"
   "  left_out, closed_up            faces that could not be meshed; faces that are closed up\n"
   "  collapsed_edges                edges so short that they became a vertex\n"
+  "  removed_details                for each face where detail narrower than --detail vanished: its\n"
+  "                                 triangles there, how far points moved, and a place\n"
   "  triangles, vertices, min_angle, mean_min_angle, mean_radius_ratio\n"
   "  min_angle_apart_from_corners   the smallest angle, apart from undivided corners of faces with\n"
   "                                 less than 30 degrees\n"
@@ -92,6 +94,8 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("gamma", number(o.gamma), "largest deviation ratio H/L of an edge: arc height over length (0.05)")
     ("distance", number(o.distance), "largest distance from a surface to its triangles (--relative-distance)")
     ("relative-distance", number(o.relative_distance), "the same as a share of the diagonal of the shape's bounding box (0.0005)")
+    ("detail", number(o.detail), "width of edges, faces and parts of faces that may vanish where they would make small angles; no point moves farther (half the distance)")
+    ("keep-detail", po::bool_switch(&o.is_detail_kept), "let no detail vanish")
     ("angle", number(o.angle), "smallest angle in degrees, at least 0 and below 60 (30)")
     ("closeness", number(o.closeness), "maximum length of a boundary edge, as a multiple of the local width of its face (1.8)")
     ("growth", number(o.growth), "how fast edges grow away from the boundary of a face, as a share of the distance (0: not at all; 0.1 saves many triangles)")
@@ -167,7 +171,7 @@ inline std::map<std::size_t, double> sizes_in(const std::string& option, const s
 
 inline void check_values(const po::variables_map& given, const Mesh_cad_options& o)
 {
-  for(const char* option : {"max-edge", "min-edge", "gamma", "distance", "relative-distance", "closeness"})
+  for(const char* option : {"max-edge", "min-edge", "gamma", "distance", "relative-distance", "detail", "closeness"})
     mesh_patch::check_positive(given, option);
   if(!(o.angle >= 0 && o.angle < 60))
     throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
@@ -182,6 +186,8 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
   if(o.threads > 1)
     throw Usage_error("--threads: this program was built without oneTBB and can use one thread only");
 #endif
+  if(o.detail > 0 && o.is_detail_kept)
+    throw Usage_error("--detail and --keep-detail exclude each other");
   if(o.max_edge > 0 && o.min_edge > o.max_edge)
     throw Usage_error("--min-edge must not be larger than --max-edge");
 }

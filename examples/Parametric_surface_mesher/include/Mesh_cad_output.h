@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <ostream>
 #include <set>
 #include <string>
@@ -68,6 +69,8 @@ inline std::size_t number_of_meshed_faces(const Mesh_cad_result& result)
   std::set<std::size_t> faces(result.shape.shape_faces.begin(), result.shape.shape_faces.end());
   for(const auto& face : result.left_out)
     faces.erase(face.shape_face);
+  for(const auto& face : result.shape.closed_up)
+    faces.erase(face.shape_face);
   return faces.size();
 }
 
@@ -88,6 +91,26 @@ inline std::vector<std::size_t> numbers_from_1(std::vector<std::size_t> numbers)
   return numbers;
 }
 
+// By the number of the face, from 1; a face that two shells share counts once.
+inline std::map<std::size_t, CGAL::Parametric_surface_mesh_report::Removed_detail> details_by_face(const Mesh_cad_result& result)
+{
+  std::map<std::size_t, CGAL::Parametric_surface_mesh_report::Removed_detail> details;
+  for(const auto& detail : result.report.removed_details) {
+    auto& same = details.emplace(result.shape.shape_faces[detail.face] + 1, detail).first->second;
+    same.moved = (std::max)(same.moved, detail.moved);
+  }
+  return details;
+}
+
+inline nlohmann::ordered_json json_of_details(const Mesh_cad_result& result)
+{
+  nlohmann::ordered_json details = nlohmann::ordered_json::array();
+  for(const auto& detail : details_by_face(result))
+    details.push_back({{"face", detail.first}, {"triangles", detail.second.number_of_triangles},
+                       {"moved", detail.second.moved}, {"place", detail.second.place}});
+  return details;
+}
+
 inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
 {
   const auto& shape = result.shape;
@@ -101,7 +124,8 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
     gaps.push_back({{"edge", gap.shape_edge + 1}, {"face", gap.shape_face + 1}, {"distance", gap.distance}, {"tolerance", gap.tolerance}});
   for(const auto& edge : shape.inner_edges)
     inner_edges.push_back({{"edge", edge.shape_edge + 1}, {"face", edge.shape_face + 1}});
-  return {{"file_faults", result.file_faults},
+  return {{"removed_details", json_of_details(result)},
+          {"file_faults", result.file_faults},
           {"diagonal", shape.diagonal},
           {"faces", shape.number_of_shape_faces},
           {"edges", shape.number_of_shape_edges},
@@ -248,6 +272,25 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
     out << "  " << mesh_patch::plural(shape.number_of_reversed_faces, "face") << " reversed to face to the same side as their neighbours\n";
 }
 
+// Detail of faces that still have triangles; those without are closed up.
+inline void print_details(std::ostream& out, const Mesh_cad_result& result)
+{
+  const std::size_t max_number_of_lines = 10;
+  std::size_t number = 0;
+  double moved = 0;
+  for(const auto& face : details_by_face(result)) {
+    const auto& detail = face.second;
+    moved = (std::max)(moved, detail.moved);
+    if(detail.is_closed_up || ++number > max_number_of_lines)
+      continue;
+    out << "  detail of face " << face.first << " at (" << detail.place[0] << ", " << detail.place[1]
+        << ", " << detail.place[2] << ") is removed: " << mesh_patch::plural(detail.number_of_triangles, "triangle")
+        << ", moved by at most " << detail.moved << "\n";
+  }
+  if(number > max_number_of_lines)
+    out << "  and detail of " << mesh_patch::plural(number - max_number_of_lines, "other face") << ", moved by at most " << moved << "\n";
+}
+
 inline void print_summary(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
 {
   const auto& q = result.quality;
@@ -261,6 +304,7 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
     out << (q.is_closed ? ", ALTHOUGH THE SHAPE IS NOT CLOSED" : ", ALTHOUGH THE SHAPE IS CLOSED");
   out << "\n";
   print_shape(out, result);
+  print_details(out, result);
   print_angles(out, result);
   if(!m.tiny_edges.empty() || !m.sliver_faces.empty())
     out << "  " << mesh_patch::plural(m.tiny_edges.size(), "tiny edge") << ", "

@@ -139,7 +139,11 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_optio
   criteria.set_gamma(o.gamma).set_angle(o.angle).set_closeness(o.closeness).set_growth(o.growth);
   if(o.sweeps)
     criteria.set_max_number_of_sweeps(*o.sweeps);
-  return criteria.set_distance(o.distance > 0 ? o.distance : o.relative_distance * diagonal);
+  criteria.set_distance(o.distance > 0 ? o.distance : o.relative_distance * diagonal);
+  const double share_of_detail = 0.5; // of the distance: the rest is left to the curvature
+  if(!o.is_detail_kept)
+    criteria.set_detail(o.detail > 0 ? o.detail : share_of_detail * *criteria.distance());
+  return criteria;
 }
 
 // `unit`: in millimetres, that of the message
@@ -236,6 +240,9 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
     result.report = CGAL::make_parametric_surface_mesh(result.shape.model, result.criteria, result.mesh.mesh, np);
   for(const auto& face : result.report.left_out)
     result.left_out.push_back({result.shape.shape_faces[face.face], face.reason});
+  for(const auto& detail : result.report.removed_details)
+    if(detail.is_closed_up)
+      result.shape.closed_up.push_back({result.shape.shape_faces[detail.face], detail.moved});
 }
 
 // BREP files have no unit.

@@ -60,6 +60,7 @@ struct Tolerance_options
   double gamma = 0.05;            ///< bound of the deviation ratio `H/L`
   double angle = 30;              ///< bound of the smallest angle, in degrees
   std::optional<double> distance; ///< bound of the distance from the surface; by default there is none
+  std::optional<double> detail;   ///< width of detail that may vanish; by default all is kept
   std::size_t feature_resolution = 64; ///< lines in either direction on which features are looked for
   Curve_deviation curve_deviation = Curve_deviation::HEIGHT_OVER_CHORD; ///< measure of the boundary division
 };

@@ -37,13 +37,16 @@
 #include <utility>
 #include <vector>
 
-// A mesh with the faces of the shape, from 1, that its triangles lie on, and those that it names as too narrow to have any.
+// A mesh with the faces of the shape, from 1, that its triangles lie on, and those that it names as too narrow to have any, or to
+// have them everywhere.
 struct Judged_mesh
 {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::size_t, 3>> triangles;
   std::vector<std::size_t> face_ids;
   std::vector<std::size_t> closed_up_faces;
+  std::vector<std::size_t> thinned_faces; // points of these may be close to triangles of other faces instead
+  double closed_up_width = 1e-6;          // over the diagonal: what such faces may have as their area over their perimeter
 };
 
 struct Cad_mesh_verdict
@@ -86,7 +89,6 @@ class Cad_mesh_judge
   static const int samples_in_u = 12, samples_on_edge = 24;
   static const std::size_t triangles_looked_at = 300; // of a face
   static constexpr double too_far = 0.01;             // over the diagonal
-  static constexpr double narrow = 1e-6;              // over the diagonal
 
   const Judged_mesh& m_mesh;
   TopTools_IndexedMapOfShape m_faces;
@@ -181,9 +183,9 @@ private:
       m_verdict.uncovered_faces.push_back(f + 1);
       return;
     }
-    if(is_closed_up)
-      triangles = all_triangles();
-    const Tree tree(triangles.begin(), triangles.end());
+    const bool is_thinned = std::find(m_mesh.thinned_faces.begin(), m_mesh.thinned_faces.end(), f + 1) != m_mesh.thinned_faces.end();
+    const Triangles candidates = is_closed_up || is_thinned ? all_triangles() : triangles;
+    const Tree tree(candidates.begin(), candidates.end());
     double farthest = 0;
     for(const gp_Pnt& p : samples(face))
       farthest = (std::max)(farthest, std::sqrt(tree.squared_distance(Point_3(p.X(), p.Y(), p.Z()))));
@@ -199,7 +201,7 @@ private:
     GProp_GProps area, perimeter;
     BRepGProp::SurfaceProperties(face, area);
     BRepGProp::LinearProperties(face, perimeter);
-    return std::fabs(area.Mass()) <= narrow * m_diagonal * perimeter.Mass();
+    return std::fabs(area.Mass()) <= m_mesh.closed_up_width * m_diagonal * perimeter.Mass();
   }
 
   Triangles all_triangles() const

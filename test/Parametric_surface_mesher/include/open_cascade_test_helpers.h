@@ -40,10 +40,14 @@ struct Meshed_shape
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
 
-  explicit Meshed_shape(const TopoDS_Shape& s) : shape(CGAL::make_model_of_open_cascade_shape(s))
+  explicit Meshed_shape(const TopoDS_Shape& s) : Meshed_shape(s, cad_criteria) {}
+
+  // `criteria`: makes criteria of the diagonal
+  template <class Criteria>
+  Meshed_shape(const TopoDS_Shape& s, const Criteria& criteria) : shape(CGAL::make_model_of_open_cascade_shape(s))
   {
     namespace parameters = CGAL::parameters;
-    report = CGAL::make_parametric_surface_mesh(shape.model, cad_criteria(shape.diagonal), mesh,
+    report = CGAL::make_parametric_surface_mesh(shape.model, criteria(shape.diagonal), mesh,
                                                 parameters::face_patch_id_map(patch, parameters::leaves_out_bad_faces(true)));
     quality = CGAL::triangle_mesh_quality(mesh);
   }

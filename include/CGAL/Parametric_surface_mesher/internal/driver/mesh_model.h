@@ -11,9 +11,11 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/curing/Mesh_curing.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Closeness_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Crossing_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Model_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/Place_in_model.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Triangulated_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Face_job.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Faces_of_points.h>
@@ -86,6 +88,16 @@ make_oracles(const Parametric_surface_model_3<Surface>& model, const std::vector
   return result;
 }
 
+// The shells of the faces of a model.
+template <class Model>
+std::vector<std::size_t> shells(const Model& model)
+{
+  std::vector<std::size_t> result;
+  for(const auto& face : model.faces())
+    result.push_back(face.shell);
+  return result;
+}
+
 // From a model to its triangles: the division of the edges, then the faces, as jobs for a scheduler, then all together.
 template <class Model, class Criteria, class MetricField>
 class Model_mesher
@@ -110,6 +122,7 @@ private:
   Mesh_progress& m_progress;
   Bad_faces& m_bad_faces;
   Parametric_surface_mesh_report& m_report;
+  std::vector<std::size_t> m_meeting_points;
 
 public:
   // Faces without loops are left out.
@@ -156,11 +169,18 @@ public:
     leave_out_failed(jobs, division);
     append(jobs, mesh);
     remove_unused_points(division, number_points, mesh);
+    m_meeting_points = division.meeting_points();
+    if(m_criteria.detail() && !m_report.is_stopped)
+      cure(division, mesh);
     mesh.template finish<ConcurrencyTag>();
     m_report.number_of_boundary_edges = division.number_of_edges();
     m_report.number_of_faces = mesh.number_of_faces();
     m_report.left_out = m_bad_faces.left_out();
   }
+
+  // Where several pieces of the mesh may meet: see `separate_pieces()`.
+  // \pre the faces are meshed
+  const std::vector<std::size_t>& meeting_points() const { return m_meeting_points; }
 
 private:
   // of the faces that are not left out, in their order
@@ -338,6 +358,18 @@ private:
     }
   }
 
+  void cure(const Division& division, Mesh& mesh)
+  {
+    Phase_timer timer(m_report.seconds.improvement);
+    std::vector<bool> are_reversed;
+    for(const auto& face : m_model.faces())
+      are_reversed.push_back(face.is_reversed);
+    Mesh_curing<Kernel, typename Model::Surface_3> curing(mesh, m_criteria, m_surfaces, shells(m_model), are_reversed,
+                                                          places_in_model(division), m_meeting_points, m_report);
+    curing();
+    m_meeting_points = curing.meeting_points();
+  }
+
   // Points that only faces have that were left out after their edges were divided.
   template <class Numbering>
   void remove_unused_points(Division& division, const Numbering& number_points, Mesh& mesh) const
@@ -355,16 +387,6 @@ make_model_mesher(const Model& model, const Criteria& criteria, const MetricFiel
                   Bad_faces& bad_faces, Parametric_surface_mesh_report& report)
 {
   return Model_mesher<Model, Criteria, MetricField>(model, criteria, metric, progress, bad_faces, report);
-}
-
-// The shells of the faces of a model.
-template <class Model>
-std::vector<std::size_t> shells(const Model& model)
-{
-  std::vector<std::size_t> result;
-  for(const auto& face : model.faces())
-    result.push_back(face.shell);
-  return result;
 }
 
 } // namespace internal

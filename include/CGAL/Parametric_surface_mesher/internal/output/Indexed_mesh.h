@@ -63,6 +63,15 @@ public:
     parts.push_back(std::move(part));
   }
 
+  // \pre none of the parts has a place in the mesh yet
+  void replace_parts(std::vector<Part> new_parts)
+  {
+    parts.clear();
+    m_number_of_own_points = m_number_of_faces = m_number_of_edges = 0;
+    for(Part& part : new_parts)
+      append(std::move(part));
+  }
+
   // Takes those points of the division out of the shared points that no part has. The others keep their order.
   void remove_points_of_division(const std::vector<bool>& are_used)
   {

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_PLACE_IN_MODEL_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_PLACE_IN_MODEL_H
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// What a point of a mesh lies on.
+struct Place_in_model
+{
+  int dimension = 2;      // 0 for a vertex, 1 for an edge, 2 for a face
+  std::size_t entity = 0; // the index of the vertex or edge
+};
+
+// The places of the points of a division, by their indices.
+template <class Division>
+std::vector<Place_in_model> places_in_model(const Division& division)
+{
+  std::vector<Place_in_model> result(division.number_of_points());
+  for(std::size_t e : division.uses().order()) {
+    for(std::size_t i = 1; i < division.number_of_pieces(e); ++i)
+      result[division.index(e, i)] = {1, e};
+    for(std::size_t v : {division.model().edges()[e].source, division.model().edges()[e].target})
+      result[division.vertex_index(v)] = {0, v};
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_PLACE_IN_MODEL_H
