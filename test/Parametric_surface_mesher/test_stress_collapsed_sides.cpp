@@ -216,6 +216,24 @@ TEST(Needles, around_the_apex)
     }
 }
 
+// Cones ten times as high as wide, and more: no triangle is sharp but the three at the apex, whose short sides are as long as the
+// minimum edge.
+TEST(Needles, only_at_the_apex)
+{
+  for(int half_angle : {3, 4, 5}) {
+    SCOPED_TRACE(half_angle);
+    const double min_edge = 1e-3;
+    const Meshed m = mesh_and_check(model_of_patches({cone(half_angle, 2 * pi)}), Criteria().set_max_edge(0.05).set_min_edge(min_edge));
+    expect_topology(m, 1, 1, 1);
+    EXPECT_EQ(3u, number_of_triangles_at(m, Point_3(0, 0, 0)));
+    for(std::size_t i = 0; i < m.triangles.size(); ++i)
+      if(m.min_angle(i) < 15) {
+        const Triangle& t = m.triangles[i];
+        EXPECT_EQ(1, std::count_if(t.begin(), t.end(), [&](std::size_t v) { return distance(m.point(v), Point_3(0, 0, 0)) < min_edge; }));
+      }
+  }
+}
+
 TEST_P(Cones, cut_open)
 {
   for(double turn : {2 * pi, 4., 0.7}) {

@@ -97,6 +97,14 @@ public:
     return found != m_ratios.end() && found->second < ratio_of_pointed_apex && found->second * length < largest_edge_at_apex * min_edge;
   }
 
+  // Whether the edges opposite to a pointed apex would be shorter than the minimum edge if the first piece of an edge has this
+  // length. Those around them on the seam are not, so that there would be flat triangles that the apex does not force.
+  bool asks_for_longer_piece(std::size_t edge, std::size_t vertex, double length, double min_edge) const
+  {
+    const auto found = m_ratios.find({edge, vertex});
+    return found != m_ratios.end() && found->second * length < min_edge;
+  }
+
 private:
   // Takes the edges at the apex to be those of a cone of revolution with this angle.
   void insert(std::size_t edge, std::size_t vertex, double angle)

@@ -144,28 +144,37 @@ public:
     return division;
   }
 
-  // Joins the first two pieces at an end that is a pointed apex.
+  // Joins the first two pieces at an end that is a pointed apex, and more of them where the edges opposite to it would be too short.
   void join_at_apexes(std::size_t edge, std::size_t least_number_of_pieces, const Pointed_apexes<Model>& apexes,
                       Edge_division<Kernel>& division) const
   {
-    for(bool is_at_source : {true, false}) {
-      const std::size_t n = division.parameters.size() - 1;
-      if(n <= (std::max)(least_number_of_pieces, std::size_t(2)) || prescribed_number(edge) > 0)
-        return;
-      const auto squared_length = [&](std::size_t i, std::size_t k) {
-        return squared_distance(division.points[is_at_source ? i : n - i], division.points[is_at_source ? k : n - k]);
-      };
-      const std::size_t vertex = is_at_source ? m_model.edges()[edge].source : m_model.edges()[edge].target;
-      const double length = std::sqrt(squared_length(0, 2));
-      if(length <= criteria_of_edge(edge).max_edge() && squared_length(1, 2) < squared_ratio_of_equal_pieces * squared_length(0, 1)
-         && apexes.asks_for_one_piece(edge, vertex, length, m_criteria.min_edge())) {
-        division.parameters.erase(division.parameters.begin() + (is_at_source ? 1 : n - 1));
-        division.points.erase(division.points.begin() + (is_at_source ? 1 : n - 1));
+    for(bool is_at_source : {true, false})
+      for(bool is_first = true; joins_at_apex(edge, least_number_of_pieces, apexes, division, is_at_source, is_first); is_first = false) {
+        const std::ptrdiff_t i = is_at_source ? 1 : std::ptrdiff_t(division.parameters.size()) - 2;
+        division.parameters.erase(division.parameters.begin() + i);
+        division.points.erase(division.points.begin() + i);
       }
-    }
   }
 
 private:
+  // `is_first`: whether none have been joined at this end
+  bool joins_at_apex(std::size_t edge, std::size_t least_number_of_pieces, const Pointed_apexes<Model>& apexes,
+                     const Edge_division<Kernel>& division, bool is_at_source, bool is_first) const
+  {
+    const std::size_t n = division.parameters.size() - 1;
+    if(n <= (std::max)(least_number_of_pieces, std::size_t(2)) || prescribed_number(edge) > 0)
+      return false;
+    const auto squared_length = [&](std::size_t i, std::size_t k) {
+      return squared_distance(division.points[is_at_source ? i : n - i], division.points[is_at_source ? k : n - k]);
+    };
+    const std::size_t vertex = is_at_source ? m_model.edges()[edge].source : m_model.edges()[edge].target;
+    const double length = std::sqrt(squared_length(0, 2));
+    const bool is_wanted = is_first ? squared_length(1, 2) < squared_ratio_of_equal_pieces * squared_length(0, 1)
+                                    : apexes.asks_for_longer_piece(edge, vertex, std::sqrt(squared_length(0, 1)), m_criteria.min_edge());
+    return is_wanted && length <= criteria_of_edge(edge).max_edge()
+           && apexes.asks_for_one_piece(edge, vertex, length, m_criteria.min_edge());
+  }
+
   // Calls `function` with the curve of an edge in space. Errors are those of the first face that uses it.
   template <class Function>
   auto with_curve(std::size_t edge, Function function) const
