@@ -66,10 +66,12 @@ struct Open_cascade_model_3
     std::size_t shape_face; ///< the index of the face in the shape, from 0
   };
 
-  Model model; ///< its first edges are those of the shape, in their order; then come collapsed ones that the shape lacks
-  /// for each face of the model, its index in the shape; a face between two shells appears twice
+  /// its first edges are those of the shape, in their order; then come collapsed ones that the shape lacks. If a face is divided at
+  /// a crease the order is another one: see `model_edges`.
+  Model model;
+  /// for each face of the model, its index in the shape; a face between two shells appears twice, and one with a crease several times
   std::vector<std::size_t> shape_faces;
-  /// for each edge of the shape, those of the model along it: the same, unless a face is closed up; none if it is a vertex
+  /// for each edge of the shape, those of the model along it: the same, unless a face is closed up or divided at a crease; none if it is a vertex
   std::vector<std::vector<std::size_t>> model_edges;
   std::size_t number_of_shape_faces = 0;
   std::size_t number_of_shape_edges = 0;

@@ -11,7 +11,9 @@
 #include <CGAL/license/Parametric_surface_mesher.h>
 
 #include <CGAL/Open_cascade_model_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Crease_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Shape_model_builder.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/in_numbers_of_shape.h>
 
 #include <TopoDS_Shape.hxx>
 
@@ -41,6 +43,8 @@ it, if several edges on one side end at other places than several on the other o
 edge there and back, or if it is wider than this together with others that are closed up.
 - Other edges that are no longer than this become a vertex, too, unless nothing, or two edges side by side, would be left
 of a loop.
+- A face with a crease, a line of constant `u` or `v` across which its tangent plane turns by more than 11 degrees, becomes several faces of
+the model, so that the crease is an edge of them. All of them have the number of the face.
 - A face that cannot be built, or for which Open CASCADE throws an exception, is left out and listed with the reason. The
 other faces do not depend on it.
 
@@ -53,7 +57,14 @@ diagonal; 0 for none
 inline Open_cascade_model_3 make_model_of_open_cascade_shape(const TopoDS_Shape& shape, double closed_up_width = 1e-6)
 {
   using namespace Parametric_surface_mesher::internal;
-  return guarded([&] { return Shape_model_builder(shape)(shape, closed_up_width); });
+  return guarded([&] {
+    if(!shape.IsNull()) {
+      const Crease_division division(shape);
+      if(division.is_divided())
+        return in_numbers_of_shape(Shape_model_builder(division.shape())(division.shape(), closed_up_width), division);
+    }
+    return Shape_model_builder(shape)(shape, closed_up_width);
+  });
 }
 
 } // namespace CGAL
