@@ -109,15 +109,6 @@ public:
     return with_curve(edge, [&](const auto& curve) { return curve.point(t); });
   }
 
-  // How far the curve of an edge is from its chord between two parameters.
-  double height(std::size_t edge, double from, double to) const
-  {
-    return with_curve(edge, [&](const auto& curve) {
-      const Curve_heights<std::decay_t<decltype(curve)>> heights(curve, from, to);
-      return heights.chord() > 0 ? heights.largest_at_eighths() : 0.;
-    });
-  }
-
   Edge_division<Kernel> divide(std::size_t number, std::size_t least_number_of_pieces) const
   {
     Edge_division<Kernel> division;

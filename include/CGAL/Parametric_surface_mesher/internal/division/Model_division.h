@@ -12,6 +12,7 @@
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/charts/Pointed_apex.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Edge_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/Point_numbering.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/least_numbers_of_pieces.h>
@@ -59,15 +60,11 @@ private:
   typedef typename Kernel::Point_2 Point_2;
   typedef std::vector<Point_2> Domain_points;
 
-  static const std::size_t no_index = std::size_t(-1);
-
   const Model& m_model;
   Edge_divider<Oracle> m_divider;
   std::vector<Edge_division<Kernel>> m_divisions;          // by edge
   std::vector<std::vector<Domain_points>> m_domain_points; // by edge and use, so that each curve is evaluated once
-  std::vector<std::size_t> m_first_inner_indices; // by edge: the index in the mesh of its first inner point
-  std::vector<std::size_t> m_vertex_indices;      // by vertex of the model: its index in the mesh
-  std::size_t m_number_of_points = 0;
+  Point_numbering m_numbering;
   std::set<std::size_t> m_changed_edges; // see `take_changed_faces()`
   Bad_faces& m_bad_faces;
 
@@ -76,8 +73,8 @@ public:
   Model_division(const Model& model, const std::vector<Oracle>& oracles,
                  const Parametric_surface_mesh_criteria& criteria, Bad_faces& bad_faces, Patch_progress& progress)
     : m_model(model), m_divider(model, oracles, criteria, progress), m_divisions(model.edges().size()),
-      m_domain_points(model.edges().size()),
-      m_first_inner_indices(model.edges().size()), m_bad_faces(bad_faces)
+      m_domain_points(model.edges().size()), m_numbering(model.vertices().size(), model.edges().size()),
+      m_bad_faces(bad_faces)
   {
     const std::vector<std::size_t> least_numbers = least_numbers_of_pieces(model, uses());
     const Pointed_apexes<Model> apexes(model);
@@ -131,7 +128,7 @@ public:
 
   const Model& model() const { return m_model; }
   const Model_uses<Model>& uses() const { return m_divider.uses(); }
-  std::size_t number_of_points() const { return m_number_of_points; }
+  std::size_t number_of_points() const { return m_numbering.number_of_points(); }
 
   // The number of edges of the division.
   std::size_t number_of_edges() const
@@ -148,36 +145,36 @@ public:
   // The index in the mesh of point `i` of a divided edge.
   std::size_t index(std::size_t edge, std::size_t i) const
   {
-    return i == 0                         ? m_vertex_indices[m_model.edges()[edge].source]
-           : i == number_of_pieces(edge)  ? m_vertex_indices[m_model.edges()[edge].target]
-                                          : m_first_inner_indices[edge] + i - 1;
+    return i == 0                        ? m_numbering.vertex(m_model.edges()[edge].source)
+           : i == number_of_pieces(edge) ? m_numbering.vertex(m_model.edges()[edge].target)
+                                         : m_numbering.inner_point(edge, i - 1);
   }
 
   // Gives indices first to the vertices that are used, then to the inner points of the edges in the order of their first use.
   void number_vertices_first()
   {
-    start_numbering();
-    std::vector<bool> is_used(m_vertex_indices.size(), false);
+    m_numbering.clear();
+    std::vector<bool> is_used(m_model.vertices().size(), false);
     for(std::size_t e : uses().order())
       is_used[m_model.edges()[e].source] = is_used[m_model.edges()[e].target] = true;
-    for(std::size_t v = 0; v < m_vertex_indices.size(); ++v)
+    for(std::size_t v = 0; v < is_used.size(); ++v)
       if(is_used[v])
-        number_vertex(v);
+        m_numbering.add_vertex(v);
     for(std::size_t e : uses().order())
-      number_inner_points(e);
+      m_numbering.add_inner_points(e, number_of_pieces(e) - 1);
   }
 
   // Gives indices along the edges in the order of their first use.
   // \pre the first use of each edge runs in its direction
   void number_along_edges()
   {
-    start_numbering();
+    m_numbering.clear();
     for(std::size_t e : uses().order()) {
-      number_vertex(m_model.edges()[e].source);
-      number_inner_points(e);
+      m_numbering.add_vertex(m_model.edges()[e].source);
+      m_numbering.add_inner_points(e, number_of_pieces(e) - 1);
     }
     for(std::size_t e : uses().order())
-      number_vertex(m_model.edges()[e].target);
+      m_numbering.add_vertex(m_model.edges()[e].target);
   }
 
   // Whether a piece may be halved: not if it is too short already, or if the number of pieces is prescribed.
@@ -193,17 +190,11 @@ public:
   // The point of an edge at a parameter of its curve.
   Point_3 point(std::size_t edge, double t) const { return m_divider.point(edge, t); }
 
-  // How far the curve of the edge is from a piece, a chord of it: what the criteria bound by the distance and by the deviation ratio.
-  double height(const Piece& piece) const
-  {
-    const std::vector<double>& parameters = m_divisions[piece.edge].parameters;
-    return m_divider.height(piece.edge, parameters[piece.number], parameters[piece.number + 1]);
-  }
-
   // Replaces the points of an edge.
   // \pre the points at its ends are the same as before
   void set_parameters(std::size_t edge, const std::vector<double>& parameters)
   {
+    const std::size_t old_number = number_of_pieces(edge), old_number_of_uses = uses()[edge].size();
     change(edge, [&] {
       Edge_division<Kernel> division = m_divisions[edge];
       division.points.resize(1);
@@ -215,7 +206,8 @@ public:
       m_divisions[edge] = std::move(division);
       m_changed_edges.insert(edge);
     });
-    number_vertices_first();
+    if(number_of_pieces(edge) != old_number || uses()[edge].size() != old_number_of_uses)
+      number_vertices_first();
   }
 
   // Marks a piece as one that should not be halved, if it is at an end of its edge.
@@ -301,7 +293,7 @@ public:
   // Of the points with their present numbers: whether a face uses them that is not left out.
   std::vector<bool> are_used() const
   {
-    std::vector<bool> result(m_number_of_points, false);
+    std::vector<bool> result(number_of_points(), false);
     for(std::size_t e : uses().order())
       for(std::size_t i = 0; i <= number_of_pieces(e); ++i)
         result[index(e, i)] = true;
@@ -312,18 +304,15 @@ public:
   const std::vector<Point_3>& points(std::size_t edge) const { return m_divisions[edge].points; }
 
   // Whether a vertex of the model belongs to an edge that is used.
-  bool is_used(std::size_t vertex) const { return m_vertex_indices[vertex] != no_index; }
+  bool is_used(std::size_t vertex) const { return m_numbering.has_vertex(vertex); }
 
   // The index in the mesh of a vertex of the model that is used.
-  std::size_t vertex_index(std::size_t vertex) const { return m_vertex_indices[vertex]; }
+  std::size_t vertex_index(std::size_t vertex) const { return m_numbering.vertex(vertex); }
 
   // The vertices at which several pieces of the mesh may meet: those of the model, and all those on edges that are not manifold.
   std::vector<std::size_t> meeting_points() const
   {
-    std::vector<std::size_t> result;
-    for(std::size_t index : m_vertex_indices)
-      if(index != no_index)
-        result.push_back(index);
+    std::vector<std::size_t> result = m_numbering.vertices();
     for(std::size_t e : uses().order())
       if(!uses().is_manifold(e))
         for(std::size_t i = 1; i < number_of_pieces(e); ++i)
@@ -332,24 +321,6 @@ public:
   }
 
 private:
-  void start_numbering()
-  {
-    m_vertex_indices.assign(m_model.vertices().size(), std::size_t(no_index));
-    m_number_of_points = 0;
-  }
-
-  void number_vertex(std::size_t v)
-  {
-    if(m_vertex_indices[v] == no_index)
-      m_vertex_indices[v] = m_number_of_points++;
-  }
-
-  void number_inner_points(std::size_t edge)
-  {
-    m_first_inner_indices[edge] = m_number_of_points;
-    m_number_of_points += m_divisions[edge].parameters.size() - 2;
-  }
-
   // Calls `function`, which divides an edge, and changes nothing if it fails. A face that is the cause of an error is left
   // out; then the edge is divided for the others.
   template <class Function>
@@ -394,40 +365,32 @@ private:
   void split(std::size_t edge, const std::vector<std::size_t>& numbers)
   {
     Edge_division<Kernel>& division = m_divisions[edge];
+    const auto middle = [&t = division.parameters](std::size_t i) { return 0.5 * (t[i] + t[i + 1]); };
     std::vector<Domain_points> domain_points;
     for(std::size_t u = 0; u < m_domain_points[edge].size(); ++u)
-      domain_points.push_back(with_middles(uses()[edge][u], division.parameters, numbers, m_domain_points[edge][u]));
-    std::vector<double> parameters;
-    std::vector<Point_3> points;
-    auto next = numbers.begin();
-    for(std::size_t i = 0; i < division.parameters.size(); ++i) {
-      parameters.push_back(division.parameters[i]);
-      points.push_back(division.points[i]);
-      if(next != numbers.end() && *next == i) {
-        const double t = 0.5 * (division.parameters[i] + division.parameters[i + 1]);
-        parameters.push_back(t);
-        points.push_back(m_divider.point(edge, t));
-        ++next;
-      }
-    }
-    division.parameters.swap(parameters);
+      domain_points.push_back(with_middles(m_domain_points[edge][u], numbers,
+                                           [&](std::size_t i) { return domain_point(uses()[edge][u], middle(i)); }));
+    std::vector<Point_3> points
+      = with_middles(division.points, numbers, [&](std::size_t i) { return m_divider.point(edge, middle(i)); });
+    division.parameters = with_middles(division.parameters, numbers, middle);
     division.points.swap(points);
     m_domain_points[edge].swap(domain_points);
     m_changed_edges.insert(edge);
   }
 
-  template <class Use>
-  Domain_points with_middles(const Use& use, const std::vector<double>& parameters, const std::vector<std::size_t>& numbers,
-                             const Domain_points& points) const
+  // The values at the points of an edge, with one more in the middle of some pieces: `make(i)` in that of piece `i`.
+  // `numbers`: of these pieces, in ascending order
+  template <class Value, class Make>
+  static std::vector<Value> with_middles(const std::vector<Value>& values, const std::vector<std::size_t>& numbers,
+                                         const Make& make)
   {
-    Domain_points result;
+    std::vector<Value> result;
+    result.reserve(values.size() + numbers.size());
     auto next = numbers.begin();
-    for(std::size_t i = 0; i < points.size(); ++i) {
-      result.push_back(points[i]);
-      if(next != numbers.end() && *next == i) {
-        result.push_back(domain_point(use, 0.5 * (parameters[i] + parameters[i + 1])));
-        ++next;
-      }
+    for(std::size_t i = 0; i < values.size(); ++i) {
+      result.push_back(values[i]);
+      if(next != numbers.end() && *next == i)
+        result.push_back(make(*next++));
     }
     return result;
   }
