@@ -74,18 +74,18 @@ TopoDS_Face planar_face(const std::vector<TopoDS_Edge>& edges)
   return result;
 }
 
-// A strip, one of whose sides ends this far from the corners.
-TopoDS_Face strip_with_gaps(double gap)
+// A rectangle whose upright sides end this far from the corners, or have moved up as far and the other ones to the left.
+TopoDS_Face rectangle_with_gaps(double height, double gap, bool have_moved)
 {
-  const std::vector<gp_Pnt> corners{gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(10, 1, 0), gp_Pnt(0, 1, 0)};
+  const std::vector<gp_Pnt> corners{gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(10, height, 0), gp_Pnt(0, height, 0)};
   std::vector<TopoDS_Vertex> vertices;
   for(const gp_Pnt& p : corners)
     vertices.push_back(vertex_at(p, 1.2 * gap));
   std::vector<TopoDS_Edge> edges;
   for(std::size_t i = 0; i < 4; ++i) {
-    const double g = i == 1 ? gap : 0;
     const gp_Pnt &p = corners[i], &q = corners[(i + 1) % 4];
-    edges.push_back(segment(vertices[i], vertices[(i + 1) % 4], p.Translated(gp_Vec(0, g, 0)), q.Translated(gp_Vec(0, -g, 0))));
+    const gp_Vec forward = (i % 2 == 1 ? gap : have_moved ? -gap : 0) * gp_Vec(p, q).Normalized();
+    edges.push_back(segment(vertices[i], vertices[(i + 1) % 4], p.Translated(forward), q.Translated(have_moved ? forward : -forward)));
   }
   return planar_face(edges);
 }
@@ -93,15 +93,17 @@ TopoDS_Face strip_with_gaps(double gap)
 // A gap is no pole, whatever share of the domain it is.
 TEST(Tolerances, gaps_between_curves_are_closed)
 {
-  for(double gap : {0.001, 0.01, 0.03, 0.1}) {
-    const Meshed_shape meshed(strip_with_gaps(gap));
-    EXPECT_TRUE(meshed.shape.left_out.empty()) << gap;
-    EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u) << gap;
-    EXPECT_NEAR(meshed.quality.area, 10, gap) << gap;
-    EXPECT_GT(meshed.quality.min_angle, 29) << gap;
-    for(const auto& edge : meshed.shape.model.edges())
-      EXPECT_FALSE(edge.is_collapsed) << gap;
-  }
+  for(double height : {0.2, 1., 5.})
+    for(double gap : {0.001, 0.01, 0.03})
+      for(bool have_moved : {false, true}) {
+        const Meshed_shape meshed(rectangle_with_gaps(height, gap, have_moved));
+        EXPECT_TRUE(meshed.shape.left_out.empty()) << gap;
+        EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u) << gap;
+        EXPECT_NEAR(meshed.quality.area, 10 * height, 10 * gap) << gap;
+        EXPECT_GT(meshed.quality.min_angle, 29) << height << " " << gap << " " << have_moved;
+        for(const auto& edge : meshed.shape.model.edges())
+          EXPECT_FALSE(edge.is_collapsed) << gap;
+      }
 }
 
 // A patch whose side v = 0 is a point.

@@ -103,18 +103,30 @@ struct Directed_end
 // The ends of edges of each face, by their points in its domain.
 typedef std::map<std::pair<std::size_t, Kernel::Point_2>, std::vector<Directed_end>> Ends_at_points;
 
-inline Ends_at_points ends_at_points(const Model& model)
+// The point of the domain, on the curve of a use from its source or its target on, whose image is at a distance from that of the end: not
+// nearer, where edges that begin with the same tangent are not apart yet, or cross within their tolerances.
+inline Kernel::Point_2 point_at_distance(const Model::Face& face, const Model::Edge_use& use, bool is_at_source, double distance)
 {
-  const double share = 1. / 1024; // of an edge: beyond its end, edges that begin with the same tangent are apart
+  const auto& curve = use.curve;
+  const double begin = is_at_source ? curve.begin() : curve.end(), end = is_at_source ? curve.end() : curve.begin();
+  const auto image = [&](const Kernel::Point_2& p) { return face.surface.point(p.x(), p.y()); };
+  const Kernel::Point_3 p = image(curve.point(begin));
+  for(double share = 1. / 1024;; share *= 2) {
+    const Kernel::Point_2 q = curve.point(begin + share * (end - begin));
+    if(share >= 0.25 || CGAL::squared_distance(p, image(q)) >= distance * distance)
+      return q;
+  }
+}
+
+inline Ends_at_points ends_at_points(const Model& model, double distance)
+{
   const CGAL::Parametric_surface_mesher::internal::Model_uses<Model> uses(model);
   Ends_at_points result;
   for(std::size_t e = 0; e < model.edges().size(); ++e)
     for(const auto& use : uses[e])
       for(const bool is_at_source : {true, false}) {
-        const auto& curve = use.use->curve;
-        const double begin = is_at_source ? curve.begin() : curve.end(), end = is_at_source ? curve.end() : curve.begin();
-        const Kernel::Point_2 p = is_at_source ? curve.source() : curve.target();
-        const Kernel::Vector_2 d = curve.point(begin + share * (end - begin)) - p;
+        const Kernel::Point_2 p = is_at_source ? use.use->curve.source() : use.use->curve.target();
+        const Kernel::Vector_2 d = point_at_distance(model.faces()[use.face], *use.use, is_at_source, distance) - p;
         result[{use.face, p}].push_back({{*use.use, is_at_source != use.use->is_reversed}, std::atan2(d.y(), d.x()),
                                          use.is_domain_left == is_at_source});
       }
@@ -124,7 +136,8 @@ inline Ends_at_points ends_at_points(const Model& model)
 // Where loops touch, or a loop touches itself, the corners lie between ends that do not follow each other in a loop.
 inline void add_corners_at_touches(const Model& model, double degrees, double min_edge, Sharp_corners& result)
 {
-  for(auto& point : ends_at_points(model)) {
+  const double far = 10; // minimum edges: the pieces at a cusp are about as long, and curves that cross within tolerances do so before
+  for(auto& point : ends_at_points(model, far * min_edge)) {
     auto& ends = point.second;
     if(ends.size() <= 2)
       continue;

@@ -100,11 +100,11 @@ public:
     if(loops.empty())
       throw Parametric_surface_mesh_error("the face has no boundary");
     Loop_closer close(m_result.model, m_surface, m_vertex_tolerances, least_tolerance * m_result.diagonal,
-                      distrusted_gap * m_result.diagonal, 0.5 * refused_gap * m_result.diagonal);
+                      distrusted_gap * m_result.diagonal);
     close(loops);
     for(const Loop& loop : loops)
       for(const Edge_use& use : loop)
-        measure_gap(use, close.bend_of(use.edge));
+        measure_gap(use);
     keep_gaps();
     return Model::Face{m_surface, std::move(loops)};
   }
@@ -212,10 +212,9 @@ private:
     return std::sqrt(squared);
   }
 
-  // `known`: a gap of the curve in the file that is closed
-  void measure_gap(const Edge_use& use, double known)
+  void measure_gap(const Edge_use& use)
   {
-    const double distance = (std::max)(known, gap(use.edge, use.curve));
+    const double distance = gap(use.edge, use.curve);
     if(!(distance <= refused_gap * m_result.diagonal))
       throw Parametric_surface_mesh_error(numbered("edge", use.edge) + ": the image of its curve in the domain is "
                                           + describe(distance) + " away from the edge; its tolerance is "

@@ -56,28 +56,26 @@ class Loop_closer
   static constexpr double least_share_of_domain = 1e-9, largest_share_of_domain = 1e-2;
   // Points are joined although they are farther apart in space than in the domain by this factor, where parameters run slowly.
   static constexpr double factor_of_slow_parameters = 1e3;
-  // Curves are bent if their ends move by more than this share of the widest gap; this is a hundredth of the minimum edge that
-  // mesh_cad takes by default, so that no piece is much changed by less.
-  static constexpr double share_of_bend = 0.1;
+  // Ends of curves that are farther apart than this share of the widest gap meet at the vertex, and not where one of them ends. It is a
+  // hundredth of the minimum edge that mesh_cad takes by default, so that no piece is much changed by less.
+  static constexpr double share_of_wide_gap = 0.1;
   static const int number_of_samples = 8, number_of_newton_steps = 4;
 
   Model& m_model;
   const Open_cascade_surface_3& m_surface;
   const std::vector<double>& m_vertex_tolerances;
-  double m_least_tolerance, m_widest_gap, m_largest_bend;
+  double m_least_tolerance, m_widest_gap;
   double m_tolerance_u = 0, m_tolerance_v = 0; // lengths in the domain of a length of 1 in space
   Bbox_2 m_box;
   std::map<std::size_t, std::vector<Point_2>> m_corners; // by vertex
-  std::map<std::size_t, double> m_bends;                 // by edge: how far an end was moved in space
 
 public:
-  // The distances are in space. Points closer than `least_tolerance` are the same point whatever the tolerance of their vertex is,
-  // and the ends of successive curves are joined if they are closer than `widest_gap`. A curve whose end moves farther than
-  // `largest_bend` keeps its other points.
+  // Both distances are in space. Points closer than `least_tolerance` are the same point whatever the tolerance of their vertex is,
+  // and the ends of successive curves are joined if they are closer than `widest_gap`.
   Loop_closer(Model& model, const Open_cascade_surface_3& surface, const std::vector<double>& vertex_tolerances,
-              double least_tolerance, double widest_gap, double largest_bend)
+              double least_tolerance, double widest_gap)
     : m_model(model), m_surface(surface), m_vertex_tolerances(vertex_tolerances), m_least_tolerance(least_tolerance),
-      m_widest_gap(widest_gap), m_largest_bend(largest_bend)
+      m_widest_gap(widest_gap)
   {}
 
   // \pre each use of a loop begins at the vertex where the one before it ends, with no whole periods between the curves
@@ -92,18 +90,9 @@ public:
     for(Loop& loop : loops) {
       remove_short_collapsed(loop);
       close(loop);
-      for(Edge_use& use : loop)
-        bend(use);
     }
     put_outer_loop_first(loops);
     move_holes_inside(loops);
-  }
-
-  // How far an end of a curve of an edge was moved, in space, with the curve; 0 if it was not.
-  double bend_of(std::size_t edge) const
-  {
-    const auto found = m_bends.find(edge);
-    return found != m_bends.end() ? found->second : 0;
   }
 
 private:
@@ -217,38 +206,6 @@ private:
     loop.swap(result);
   }
 
-  double smallest_bend() const { return share_of_bend * m_widest_gap; }
-
-  // If the ends of a curve have moved far, moves the curve with them: else it would cross the one that it meets, or be far from it.
-  void bend(Edge_use& use)
-  {
-    const Curve curve = use.curve;
-    const Vector_2 at_begin = curve.source() - curve.jet(curve.begin()).point, at_end = curve.target() - curve.jet(curve.end()).point;
-    const Point_2 origin(0, 0);
-    if(are_close(origin, origin + at_begin, smallest_bend()) && are_close(origin, origin + at_end, smallest_bend()))
-      return;
-    const double length_of_bend = (std::max)(length_in_space(curve.source() - at_begin, curve.source()),
-                                             length_in_space(curve.target() - at_end, curve.target()));
-    if(length_of_bend > m_largest_bend)
-      return;
-    double& known = m_bends[use.edge];
-    known = (std::max)(known, length_of_bend);
-    if(curve.is_straight()) {
-      use.curve = Curve::segment(curve.source(), curve.target());
-      return;
-    }
-    const double begin = curve.begin(), length = curve.end() - curve.begin();
-    const auto jet = [=](double t) {
-      auto result = curve.jet(t);
-      const double share = (t - begin) / length;
-      result.point = result.point + (1 - share) * at_begin + share * at_end;
-      result.first = result.first + (1 / length) * (at_end - at_begin);
-      return result;
-    };
-    use.curve = Curve(jet, begin, curve.end());
-    use.curve.set_end_points(curve.source(), curve.target());
-  }
-
   // Joins the last use of `loop` to `next`, with a collapsed edge between them if there is a pole. Any other gap that is in the
   // tolerance of the vertex is closed, however large it is in the domain.
   void join(Loop& loop, Edge_use& next)
@@ -271,7 +228,7 @@ private:
       check_gap(p, q, vertex);
     const int rank_before = rank(loop.back()), rank_after = rank(next);
     const bool is_beside_pole = (std::max)(rank_before, rank_after) == 2;
-    const bool is_wide = !is_beside_pole && !are_close(p, q, smallest_bend());
+    const bool is_wide = !is_beside_pole && !are_close(p, q, share_of_wide_gap * m_widest_gap);
     const Point_2 r = corner(vertex, is_wide ? foot_of_vertex(p, q, vertex) : rank_after > rank_before ? q : p);
     set_end_point(loop.back(), r);
     set_begin_point(next, r);
