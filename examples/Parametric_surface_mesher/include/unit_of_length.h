@@ -28,7 +28,7 @@ inline double millimetres_of(const std::string& unit)
 
 inline void scale_lengths(double factor, Mesh_cad_options& options)
 {
-  for(double* length : {&options.max_edge, &options.min_edge, &options.distance, &options.sewing_tolerance})
+  for(double* length : {&options.max_edge, &options.min_edge, &options.distance, &options.detail, &options.sewing_tolerance})
     *length *= factor;
   for(auto* sizes : {&options.max_edge_of_face, &options.max_edge_of_edge})
     for(auto& size : *sizes)
@@ -55,6 +55,13 @@ void scale_lengths(double factor, Result& result)
     gap.distance *= factor;
     gap.tolerance *= factor;
   }
+  for(auto& detail : result.report.removed_details) {
+    detail.moved *= factor;
+    for(double& coordinate : detail.place)
+      coordinate *= factor;
+  }
+  if(result.criteria.detail())
+    result.criteria.set_detail(factor * *result.criteria.detail());
   result.criteria.set_max_edge(factor * result.criteria.max_edge()).set_min_edge(factor * result.criteria.min_edge());
 }
 

@@ -17,6 +17,7 @@
 #include <ShapeFix_Edge.hxx>
 #include <ShapeUpgrade_FaceDivide.hxx>
 #include <ShapeUpgrade_SplitSurface.hxx>
+#include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_HSequenceOfReal.hxx>
 #include <TopExp.hxx>
@@ -151,9 +152,14 @@ public:
     TopExp::MapShapes(shape, TopAbs_FACE, m_old_faces);
     std::vector<std::pair<int, Creases_of_face>> creases;
     for(int i = 1; i <= m_old_faces.Extent(); ++i) {
-      const Creases_of_face of_face(TopoDS::Face(m_old_faces(i)));
-      if(of_face.number() > 0 && of_face.number() <= max_number_of_creases)
-        creases.emplace_back(i, of_face);
+      // Where the kernel fails the face stays whole; what is wrong with it is found, and told, when it is built.
+      try {
+        const Creases_of_face of_face(TopoDS::Face(m_old_faces(i)));
+        if(of_face.number() > 0 && of_face.number() <= max_number_of_creases)
+          creases.emplace_back(i, of_face);
+      }
+      catch(const Standard_Failure&) {
+      }
     }
     if(creases.empty())
       return;
@@ -186,12 +192,16 @@ private:
   void divide(const TopoDS_Face& face, const Creases_of_face& creases, const Handle(ShapeBuild_ReShape)& context)
   {
     const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
-    ShapeUpgrade_FaceDivide division(forward);
-    division.SetContext(context);
-    division.SetSplitSurfaceTool(new Split_at_creases(creases));
-    if(division.Perform()) {
-      context->Replace(forward, division.Result());
-      m_is_divided = true;
+    try {
+      ShapeUpgrade_FaceDivide division(forward);
+      division.SetContext(context);
+      division.SetSplitSurfaceTool(new Split_at_creases(creases));
+      if(division.Perform()) {
+        context->Replace(forward, division.Result());
+        m_is_divided = true;
+      }
+    }
+    catch(const Standard_Failure&) { // the face stays whole: the crease is crossed by triangles, whose distance is reported
     }
   }
 

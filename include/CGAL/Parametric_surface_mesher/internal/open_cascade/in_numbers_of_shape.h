@@ -33,8 +33,9 @@ inline Open_cascade_model_3 in_numbers_of_shape(Open_cascade_model_3 model, cons
     const auto is_of_crease = [](const auto& entry) { return entry.shape_edge == Crease_division::no_index; };
     entries.erase(std::remove_if(entries.begin(), entries.end(), is_of_crease), entries.end());
   };
-  for(std::size_t& face : model.shape_faces)
-    face = division.old_face(face);
+  for(auto* faces : {&model.shape_faces, &model.repeated_faces})
+    for(std::size_t& face : *faces)
+      face = division.old_face(face);
   std::for_each(model.left_out.begin(), model.left_out.end(), rename_face);
   std::for_each(model.closed_up.begin(), model.closed_up.end(), rename_face);
   rename_face_and_edge(model.gaps);
