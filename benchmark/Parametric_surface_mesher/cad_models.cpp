@@ -1,8 +1,8 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Meshes all CAD models of a folder as mesh_cad does without options, lets Open CASCADE judge the meshes, and prints a
-// table. Each model has a process and 60 seconds of its own.
+// Meshes all CAD models of some folders as mesh_cad does without options, lets Open CASCADE judge the meshes, and prints a
+// table for each folder. Each model has a process and 60 seconds of its own.
 #include "Cad_mesh_judge_input.h"
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_result.h"
@@ -12,6 +12,8 @@
 #include "Cad_mesh_judge.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -55,32 +57,70 @@ std::string cells(const std::string& file_name)
   return out.str();
 }
 
-Text_table::Line line(const std::string& file_name, std::size_t number_of_cells)
+const Text_table::Line titles = {"model", "faces", "closed", "verdict", "triangles", "CPU s", "per s", "min angle", "apart",
+                                 "% <10", "not at corners", "mean min angle", "deviation"};
+const std::size_t verdict_column = 3, apart_column = 8, needles_column = 10;
+
+Text_table::Line line(const std::string& file_name)
 {
   Text_table::Line result(1, std::filesystem::path(file_name).filename().string());
   std::istringstream in(text_in_process(seconds_for_a_model, [&] { return cells(file_name); }));
   for(std::string cell; std::getline(in, cell, '\t');)
     result.push_back(cell);
-  result.resize(number_of_cells);
+  result.resize(titles.size());
   return result;
+}
+
+// How many models of a folder are as they should be.
+class Tally
+{
+  std::size_t m_number_of_models = 0, m_ok = 0, m_with_needles = 0, m_below_1 = 0;
+
+public:
+  void add(const Text_table::Line& line)
+  {
+    ++m_number_of_models;
+    m_ok += line[verdict_column].rfind("ok", 0) == 0;
+    const auto number = [&](std::size_t column) { return std::strtod(line[column].c_str(), nullptr); };
+    m_with_needles += number(needles_column) > 0;
+    m_below_1 += !line[apart_column].empty() && number(apart_column) < 1;
+  }
+
+  void print(std::ostream& out) const
+  {
+    out << m_ok << " of " << m_number_of_models << " are ok; apart from corners there are triangles below 10 degrees on "
+        << m_with_needles << ", and below 1 degree on " << m_below_1 << "\n";
+  }
+};
+
+void print_folder(const std::string& folder, Text_table::Format format)
+{
+  Text_table table(titles);
+  Tally tally;
+  for(const std::string& file : cad_files_in(folder)) {
+    table.add_line(line(file));
+    tally.add(table.lines().back());
+  }
+  table.print(std::cout, format);
+  std::cout << "\n" << std::filesystem::path(folder).filename().string() << ": ";
+  tally.print(std::cout);
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool is_markdown = std::find(arguments.begin(), arguments.end(), "--markdown") != arguments.end();
-  if(arguments.size() != (is_markdown ? 2u : 1u) || arguments.back() == "--markdown"
-     || !std::filesystem::is_directory(arguments.back())) {
-    std::cerr << "Usage: cad_models [--markdown] FOLDER\n";
+  std::vector<std::string> folders(argv + 1, argv + argc);
+  const auto option = std::find(folders.begin(), folders.end(), "--markdown");
+  const bool is_markdown = option != folders.end();
+  if(is_markdown)
+    folders.erase(option);
+  if(folders.empty()
+     || !std::all_of(folders.begin(), folders.end(), [](const std::string& f) { return std::filesystem::is_directory(f); })) {
+    std::cerr << "Usage: cad_models [--markdown] FOLDER...\n";
     return 2;
   }
-  const Text_table::Line titles = {"model", "faces", "closed", "verdict", "triangles", "CPU s", "per s", "min angle", "apart",
-                                   "% <10", "not at corners", "mean min angle", "deviation"};
-  Text_table table(titles);
-  for(const std::string& file : cad_files_in(arguments.back()))
-    table.add_line(line(file, titles.size()));
-  table.print(std::cout, is_markdown ? Text_table::MARKDOWN : Text_table::PLAIN);
+  for(const std::string& folder : folders)
+    print_folder(folder, is_markdown ? Text_table::MARKDOWN : Text_table::PLAIN);
   return 0;
 }

@@ -27,6 +27,8 @@ public:
   // \pre `line` has as many texts as there are titles
   void add_line(Line line) { m_lines.push_back(std::move(line)); }
 
+  const std::vector<Line>& lines() const { return m_lines; }
+
   void print(std::ostream& out, Format format) const
   {
     const std::vector<std::size_t> widths = column_widths();

@@ -6,6 +6,7 @@
 #define TEXT_IN_PROCESS_H
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -53,7 +54,8 @@ inline std::vector<std::string> cad_files_in(const std::string& folder)
 {
   std::vector<std::string> result;
   for(const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string ending = entry.path().extension().string();
+    std::string ending = entry.path().extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
     for(const char* known : {".step", ".stp", ".iges", ".igs", ".brep", ".rle"})
       if(ending == known)
         result.push_back(entry.path().string());
