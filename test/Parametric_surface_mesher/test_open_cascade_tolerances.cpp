@@ -258,6 +258,15 @@ TEST(Tolerances, faces_fit_whose_curves_cross)
   EXPECT_EQ(meshed.quality.number_of_connected_components, 1u);
 }
 
+// Halving the pieces of curves that cross does not help, and is taken back for the neighbours.
+TEST(Tolerances, a_face_whose_curves_cross_does_not_harm_its_neighbors)
+{
+  const Meshed_shape meshed(shell_with_lens(1e-7, {0.03, -0.03, 0.03}));
+  ASSERT_EQ(meshed.report.left_out.size(), 1u);
+  EXPECT_EQ(meshed.shape.shape_faces[meshed.report.left_out[0].face], 2u);
+  EXPECT_GT(meshed.quality.min_angle, 20);
+}
+
 TEST(Tolerances, vertices_within_their_tolerances_are_joined)
 {
   const gp_Pnt a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), d(1e-5, 1, 0);

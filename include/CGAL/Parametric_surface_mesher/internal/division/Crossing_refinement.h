@@ -17,6 +17,8 @@
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 
 #include <cstddef>
+#include <iterator>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -36,6 +38,13 @@ class Crossing_refinement
   typedef Boundary_check<Kernel> Check;
   typedef typename Check::Segment_id Segment_id;
 
+  // An edge some of whose pieces were halved.
+  struct Halved_edge
+  {
+    std::vector<double> former_parameters;
+    std::set<std::size_t> causes; // the faces for which they were
+  };
+
   Division& m_division;
   const std::vector<Oracle>& m_oracles; // by face
   Patch_progress& m_progress;
@@ -49,13 +58,22 @@ public:
   // Checks the faces whose boundary has changed since the last call. After a stop it goes on: there is no mesh without it.
   void operator()()
   {
+    std::map<std::size_t, Halved_edge> halved;
     for(auto faces = m_division.take_changed_faces(); !faces.empty(); faces = m_division.take_changed_faces()) {
       std::set<Piece> pieces;
-      for(std::size_t face : faces)
-        m_division.is_done_for(face, [&] {
+      for(std::size_t face : faces) {
+        std::set<Piece> pieces_of_face;
+        const bool is_good = m_division.is_done_for(face, [&] {
           m_progress.go_further();
-          with_name_of_face(m_division.model(), face, [&] { collect(face, pieces); });
+          with_name_of_face(m_division.model(), face, [&] { collect(face, pieces_of_face); });
         });
+        if(is_good) {
+          note(face, pieces_of_face, halved);
+          pieces.merge(pieces_of_face);
+        }
+        else
+          restore(face, halved, pieces);
+      }
       m_number_of_splits += pieces.size();
       m_division.split(pieces);
     }
@@ -78,6 +96,33 @@ public:
   std::size_t number_of_splits() const { return m_number_of_splits; }
 
 private:
+  // Notes the edges of pieces that are to be halved for a face.
+  void note(std::size_t face, const std::set<Piece>& pieces, std::map<std::size_t, Halved_edge>& halved) const
+  {
+    for(const Piece& piece : pieces) {
+      auto edge = halved.find(piece.edge);
+      if(edge == halved.end())
+        edge = halved.emplace(piece.edge, Halved_edge{m_division.parameters(piece.edge), {}}).first;
+      edge->second.causes.insert(face);
+    }
+  }
+
+  // Takes back what was done for a face that is left out now, and what is to be done: halving pieces did not help it, and would harm
+  // its neighbours.
+  void restore(std::size_t face, std::map<std::size_t, Halved_edge>& halved, std::set<Piece>& pieces)
+  {
+    for(auto edge = halved.begin(); edge != halved.end();)
+      if(edge->second.causes == std::set<std::size_t>{face}) {
+        for(auto piece = pieces.begin(); piece != pieces.end();)
+          piece = piece->edge == edge->first ? pieces.erase(piece) : std::next(piece);
+        if(!m_division.uses()[edge->first].empty())
+          m_division.set_parameters(edge->first, edge->second.former_parameters);
+        edge = halved.erase(edge);
+      }
+      else
+        ++edge;
+  }
+
   // Segments must not cross in the coordinates in which they are straight, those of the domain or of the chart.
   void collect(std::size_t face, std::set<Piece>& pieces) const
   {
