@@ -129,7 +129,7 @@ public:
   /// a vertex, faces and parts of faces narrower than this are closed up, and the edges on both sides of them become one. No
   /// point moves farther than this, and the topology of each shell stays as it is. Sheets that face each other, as the
   /// sides of a thin wall, are not joined. The triangles meet the bound of the distance, if they did before.
-  /// `Parametric_surface_mesh_report::removed_details` tells what has vanished. A share, such as a half, of the bound of the
+  /// `Parametric_surface_mesh_report::removed_details` tells what has vanished. A share, such as three quarters, of the bound of the
   /// distance is a good choice. Default: nothing vanishes. Range: positive and finite.
   Parametric_surface_mesh_criteria& set_detail(double width)
   {

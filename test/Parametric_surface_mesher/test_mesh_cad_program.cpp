@@ -247,6 +247,30 @@ TEST_F(Mesh_cad_program, closes_up_narrow_faces)
   EXPECT_NE(alone.err.find("face " + face + " is closed up"), std::string::npos) << alone.err;
 }
 
+// A step of a ten-thousandth of the diagonal
+TEST_F(Mesh_cad_program, lists_detail_that_vanishes)
+{
+  BRepBuilderAPI_MakePolygon polygon;
+  for(const gp_Pnt& p : {gp_Pnt(0, 0, 0), gp_Pnt(6, 0, 0), gp_Pnt(6, 0, 2), gp_Pnt(3, 0, 2), gp_Pnt(3, 0, 2.0005), gp_Pnt(0, 0, 2.0005)})
+    polygon.Add(p);
+  polygon.Close();
+  BRepTools::Write(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(polygon.Wire()).Face(), gp_Vec(0, 4, 0)).Shape(), file("step.brep").c_str());
+  const auto without = json("step.brep --quiet"), with = json("step.brep --quiet --keep-detail"),
+             narrow = json("step.brep --quiet --detail 0.0001");
+  EXPECT_LT(with["min_angle"], 10);
+  EXPECT_TRUE(with["removed_details"].empty());
+  EXPECT_TRUE(narrow["removed_details"].empty());
+  EXPECT_LT(without["below_10"], with["below_10"]);
+  EXPECT_TRUE(without["closed"]);
+  ASSERT_FALSE(without["removed_details"].empty());
+  for(const auto& detail : without["removed_details"]) {
+    EXPECT_GE(detail["moved"], 0.0005 * (1 - 1e-9));
+    EXPECT_LE(detail["moved"], 0.75 * 5e-4 * without["diagonal"].get<double>());
+    EXPECT_NEAR(detail["place"][0], 3, 1e-9);
+  }
+  expect_refused("step.brep --detail 0.1 --keep-detail", "--keep-detail");
+}
+
 // A rectangle with a round hole that touches it in a vertex: two cusps, each with one sharp triangle.
 TEST_F(Mesh_cad_program, knows_corners_where_loops_touch)
 {

@@ -223,11 +223,11 @@ TEST(Needles, only_at_the_apex)
   for(int half_angle : {3, 4, 5}) {
     SCOPED_TRACE(half_angle);
     const double min_edge = 1e-3;
-    const Meshed m = mesh_and_check(model_of_patches({cone(half_angle, 2 * pi)}), Criteria().set_max_edge(0.05).set_min_edge(min_edge));
+    const Meshed m = mesh_and_check(model_of_patches({cone(half_angle, 2 * pi)}), Criteria().set_max_edge(0.05).set_min_edge(min_edge).set_closeness(1.8));
     expect_topology(m, 1, 1, 1);
     EXPECT_EQ(3u, number_of_triangles_at(m, Point_3(0, 0, 0)));
     for(std::size_t i = 0; i < m.triangles.size(); ++i)
-      if(m.min_angle(i) < 15) {
+      if(m.min_angle(i) < 12) {
         const Triangle& t = m.triangles[i];
         EXPECT_EQ(1, std::count_if(t.begin(), t.end(), [&](std::size_t v) { return distance(m.point(v), Point_3(0, 0, 0)) < min_edge; }));
       }

@@ -140,7 +140,7 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_optio
   if(o.sweeps)
     criteria.set_max_number_of_sweeps(*o.sweeps);
   criteria.set_distance(o.distance > 0 ? o.distance : o.relative_distance * diagonal);
-  const double share_of_detail = 0.5; // of the distance: the rest is left to the curvature
+  const double share_of_detail = 0.75; // of the distance: what the curvature takes is measured, and there is room for it
   if(!o.is_detail_kept)
     criteria.set_detail(o.detail > 0 ? o.detail : share_of_detail * *criteria.distance());
   return criteria;

@@ -57,6 +57,7 @@ private:
   std::set<std::pair<double, Index>> m_queue; // sine and triangle
   std::vector<Removal> m_removals;
   std::size_t m_number_of_changes = 0;
+  bool m_is_good = false;
 
 public:
   Detail_curing(Complex& complex, const std::vector<Surface>& surfaces, const std::vector<bool>& are_reversed, double width,
@@ -67,6 +68,7 @@ public:
 
   void operator()()
   {
+    const double sine_before = smallest_sine();
     improve_all([this](Index t) { return m_changes.around(t); });
     improve_all([this](Index t) {
       std::vector<Change> result = m_changes.around(t);
@@ -74,12 +76,26 @@ public:
       result.insert(result.end(), slides.begin(), slides.end());
       return result;
     });
+    m_is_good = smallest_sine() >= (std::min)(sine_before, small_sine);
   }
+
+  // Whether the smallest angle has not become smaller. It may have where detail is all that there is: a long thin ring, say.
+  bool is_good() const { return m_is_good; }
 
   const std::vector<Removal>& removals() const { return m_removals; }
   std::size_t number_of_changes() const { return m_number_of_changes; }
 
 private:
+  // apart from corners
+  double smallest_sine() const
+  {
+    double result = 1;
+    for(Index t = 0; t < m_complex.triangles().size(); ++t)
+      if(!m_complex.triangle(t).is_removed && !m_judge.is_good(t, result))
+        result = m_judge.smallest_sine(t).first;
+    return result;
+  }
+
   template <class ChangesAround>
   void improve_all(const ChangesAround& changes_around)
   {

@@ -111,7 +111,7 @@ private:
     Curing curing(region.complex(), m_surfaces, m_are_reversed, *m_criteria.detail(),
                   m_criteria.distance().value_or(std::numeric_limits<double>::infinity()));
     curing();
-    if(curing.number_of_changes() == 0)
+    if(curing.number_of_changes() == 0 || !curing.is_good())
       return false;
     m_is_changed = true;
     note(curing.removals());

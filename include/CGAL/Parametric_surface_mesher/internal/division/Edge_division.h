@@ -144,6 +144,8 @@ public:
         const std::ptrdiff_t i = is_at_source ? 1 : std::ptrdiff_t(division.parameters.size()) - 2;
         division.parameters.erase(division.parameters.begin() + i);
         division.points.erase(division.points.begin() + i);
+        // Closeness would halve so long a piece where the face is narrow.
+        (is_at_source ? division.keeps_first_piece : division.keeps_last_piece) |= !is_first;
       }
   }
 
