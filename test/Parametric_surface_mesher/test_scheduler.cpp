@@ -201,7 +201,7 @@ TEST(Stop, at_once)
   EXPECT_EQ(1u, visitor.number_of_questions);
   EXPECT_LE(mesh.number_of_faces(), 2 * 400u);
   EXPECT_TRUE(report.is_stopped);
-  EXPECT_GT(report.count(CGAL::Parametric_surface_mesher::Unmet_cause::STOPPED), 0u);
+  EXPECT_TRUE(tells_of_stop(report));
   check_is_whole(mesh, model);
 }
 
