@@ -425,7 +425,7 @@ TEST(Short_edges, become_vertices)
   const Meshed_shape meshed(shape);
   EXPECT_TRUE(meshed.shape.closed_up.empty());
   const auto& edges = meshed.shape.model_edges;
-  EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const auto& e) { return e.empty(); }), 1);
+  EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const auto& of_model) { return of_model.empty(); }), 1);
   expect_sound(shape, meshed, 25);
   EXPECT_NEAR(meshed.quality.area, 90, 1e-9);
   EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u);
@@ -441,7 +441,7 @@ TEST(Short_edges, that_close_a_circle)
   around.Add(TopoDS::Wire(BRepBuilderAPI_MakeWire(arc, small).Wire().Reversed()));
   const Meshed_shape meshed(around.Face());
   const auto& edges = meshed.shape.model_edges;
-  EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const auto& e) { return e.empty(); }), 1);
+  EXPECT_EQ(std::count_if(edges.begin(), edges.end(), [](const auto& of_model) { return of_model.empty(); }), 1);
   expect_sound(around.Face(), meshed, 25);
   EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 2u);
 }

@@ -172,7 +172,6 @@ TEST(Improvement, angle_that_is_aimed_at)
 TEST(Grading, triangles_grow_away_from_a_finely_divided_hole)
 {
   const Sample flat = make_sample("flat");
-  typedef CGAL::Domain_curve_2<Test_kernel> Curve;
   Domain domain = Domain::rectangle(-1, 1, -1, 1);
   Curve circle = Curve::circle(Point_2(0.2, 0.1), 0.25);
   circle.set_number_of_edges(2000);
@@ -189,7 +188,6 @@ TEST(Grading, triangles_grow_away_from_a_finely_divided_hole)
 TEST(Grading, long_edges_close_to_a_finely_divided_hole)
 {
   const Sample flat = make_sample("flat");
-  typedef CGAL::Domain_curve_2<Test_kernel> Curve;
   for(std::size_t on_side : {8, 11})
     for(std::size_t on_circle : {40, 80, 160, 300})
       for(double radius : {0.5, 1., 2.}) {
