@@ -175,7 +175,10 @@ TEST(Parallel, faces_with_common_chords)
   Counting_visitor visitor;
   Mesh mesh;
   CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(model, criteria, mesh, CGAL::parameters::visitor(std::ref(visitor)));
-  EXPECT_EQ(2 + 5 * model.faces().size(), visitor.number_of_phases);
+  // of a face that is refined and repaired once more there are two more phases
+  EXPECT_GE(visitor.number_of_phases, 2 + 5 * model.faces().size());
+  EXPECT_LE(visitor.number_of_phases, 2 + 7 * model.faces().size());
+  EXPECT_EQ(0u, (visitor.number_of_phases - 5 * model.faces().size()) % 2);
   EXPECT_TRUE(mesh.is_valid());
   EXPECT_TRUE(CGAL::is_closed(mesh));
 }
@@ -244,7 +247,10 @@ TEST(Parallel, visitor_is_called_by_one_thread_at_a_time)
   const Criteria criteria = Criteria().set_max_edge(0.1).set_max_number_of_sweeps(2); // the same phases for all faces
   CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(model, criteria, mesh,
                                                          CGAL::parameters::visitor(std::ref(visitor)));
-  EXPECT_EQ(2 + 5 * model.faces().size(), visitor.number_of_phases);
+  // of a face that is refined and repaired once more there are two more phases
+  EXPECT_GE(visitor.number_of_phases, 2 + 5 * model.faces().size());
+  EXPECT_LE(visitor.number_of_phases, 2 + 7 * model.faces().size());
+  EXPECT_EQ(0u, (visitor.number_of_phases - 5 * model.faces().size()) % 2);
   EXPECT_GT(visitor.number_of_questions, 0u);
 
   Counting_visitor stopping;
