@@ -166,10 +166,9 @@ private:
   {
     std::set<std::size_t> done; // edges
     for(std::size_t face : m_faces_with_strips)
-      if(m_progress.go_further()) {
+      if(m_progress.go_further())
         is_done_for(face, [&] { done.merge(stagger_strips(face, done)); });
-        m_refine_crossings();
-      }
+    m_refine_crossings(); // of which staggering makes none
   }
 
   std::set<std::size_t> stagger_strips(std::size_t face, const std::set<std::size_t>& done)
@@ -212,6 +211,8 @@ private:
   void even_out_tips_at_touches(std::size_t face, std::set<Piece>& pieces)
   {
     const Boundary& boundary = m_boundaries[face];
+    if(!has_touches(boundary))
+      return;
     std::map<Vertex_handle, std::vector<Piece_at_vertex>> pieces_at;
     for(std::size_t l = 0; l < boundary.loops().size(); ++l) {
       const auto& loop = boundary.loops()[l];
@@ -228,6 +229,17 @@ private:
           for(const Piece_at_vertex& b : at_vertex.second)
             if(is_tip(a.other, at_vertex.first, b.other, boundary.triangulation()))
               even_out_tip(a.piece, b.piece, pieces);
+  }
+
+  // Whether a vertex comes more than once in the loops, which is so at a pole, too.
+  static bool has_touches(const Boundary& boundary)
+  {
+    std::vector<std::size_t> indices;
+    for(const auto& loop : boundary.loops())
+      for(Vertex_handle v : loop.vertices)
+        indices.push_back(v->index());
+    std::sort(indices.begin(), indices.end());
+    return std::adjacent_find(indices.begin(), indices.end()) != indices.end();
   }
 
   // For each loop of a face, calls `function` with its index, its segments and vertices, and the triangulation of all loops.

@@ -67,9 +67,13 @@ public:
   // \pre the patch is refined
   void repair(const Judge& judge)
   {
-    Patch_repair<Evaluator, Judge> repair(m_triangulation, m_evaluate, judge, m_criteria);
-    m_number_of_work_limits = repair([has_time = clock(), this] { return m_progress.go_further() && has_time(); });
-    m_has_new_failures = repair.has_new_failures();
+    repair_by(judge, [](auto& repair, const auto& go_further) { return repair(go_further); });
+  }
+
+  // \pre the patch is repaired, and refined again
+  void repair_failures(const Judge& judge)
+  {
+    repair_by(judge, [](auto& repair, const auto& go_further) { return repair.at_failures(go_further); });
   }
 
   // Whether the last repair has left faces that fail a criterion and are new to refinement.
@@ -90,6 +94,14 @@ public:
   }
 
 private:
+  template <class Run>
+  void repair_by(const Judge& judge, const Run& run)
+  {
+    Patch_repair<Evaluator, Judge> repair(m_triangulation, m_evaluate, judge, m_criteria);
+    m_number_of_work_limits = run(repair, [has_time = clock(), this] { return m_progress.go_further() && has_time(); });
+    m_has_new_failures = repair.has_new_failures();
+  }
+
   unsigned int max_number_of_sweeps() const
   {
     return m_criteria.max_number_of_sweeps().value_or(number_of_smoothing_sweeps);

@@ -69,6 +69,8 @@ class Patch_repair
 
   // Enough for all faces but where nearly all are poor.
   static const std::size_t default_max_number_of_attempts = 1000, faces_for_attempt = 20;
+  // After these, a quarter as many at faces that fail a criterion: most of the others are left for the sake of the boundary.
+  static const std::size_t share_at_failures = 4;
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;
@@ -111,9 +113,14 @@ public:
   template <class GoFurther>
   std::size_t operator()(const GoFurther& go_further)
   {
-    const std::size_t max_number_of_attempts
-      = default_max_number_of_attempts + m_triangulation.number_of_faces() / faces_for_attempt;
-    return (*this)(go_further, max_number_of_attempts, max_number_of_attempts);
+    return (*this)(go_further, max_number_of_attempts(), max_number_of_attempts() / share_at_failures);
+  }
+
+  // The same at faces that fail a criterion alone.
+  template <class GoFurther>
+  std::size_t at_failures(const GoFurther& go_further)
+  {
+    return (*this)(go_further, 0, max_number_of_attempts() / share_at_failures);
   }
 
   // `attempts_left`: at faces as they come. `attempts_at_failures_left`: at those that fail a criterion, after these
@@ -146,6 +153,11 @@ public:
   bool has_new_failures() const { return m_has_new_failures; }
 
 private:
+  std::size_t max_number_of_attempts() const
+  {
+    return default_max_number_of_attempts + m_triangulation.number_of_faces() / faces_for_attempt;
+  }
+
   void note_unrepaired(Face_handle face)
   {
     const Verdict verdict = face->verdict();

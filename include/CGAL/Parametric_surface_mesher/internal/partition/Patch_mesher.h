@@ -130,7 +130,7 @@ public:
     in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_judge); });
     if(improve.has_new_failures()) {
       in_phase("refinement", m_report.seconds.refinement, [&] { m_refine(Scope::WHOLE); });
-      in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair(m_judge); });
+      in_phase("improvement", m_report.seconds.improvement, [&] { improve.repair_failures(m_judge); });
     }
     if(improve.has_polishing())
       in_phase("polishing", m_report.seconds.improvement, [&] { improve.polish(m_judge); });

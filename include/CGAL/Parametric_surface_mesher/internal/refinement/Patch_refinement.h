@@ -68,7 +68,7 @@ public:
   {
     m_scope = scope;
     for_each_face_with_lookahead(m_triangulation, [this](Face_handle face) {
-      if(face->is_in_domain() && m_progress.go_further())
+      if(face->is_in_domain() && !is_settled(face) && m_progress.go_further())
         examine(face);
     });
     for(std::size_t n = 1; m_progress.go_further(); ++n) {
@@ -101,6 +101,13 @@ public:
 
 private:
   bool is_full() const { return m_triangulation.number_of_vertices() >= m_max_number_of_vertices; }
+
+  // Whether nothing is to be said of a face that was not said before, since it has changed.
+  bool is_settled(Face_handle face) const
+  {
+    const Verdict verdict = face->verdict();
+    return verdict.scope() >= m_scope && (!verdict.fails() || verdict.is_refused());
+  }
 
   void examine(Face_handle face)
   {
