@@ -104,6 +104,7 @@ void print_folder(const std::string& folder, Text_table::Format format)
   table.print(std::cout, format);
   std::cout << "\n" << std::filesystem::path(folder).filename().string() << ": ";
   tally.print(std::cout);
+  std::cout.flush(); // else the processes of the next folder would print it once more
 }
 
 } // namespace
