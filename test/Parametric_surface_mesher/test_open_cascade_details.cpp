@@ -161,7 +161,7 @@ TEST(Details, vanish_from_two_solids_alike)
   const Meshed_shape meshed = mesh_without_detail(builder.Shape());
   EXPECT_EQ(4, euler_characteristic(meshed.mesh)); // of two spheres
   EXPECT_LT(Meshed_shape(builder.Shape()).quality.min_angle, 0.1);
-  EXPECT_GT(meshed.quality.min_angle, 4);
+  EXPECT_GT(meshed.quality.min_angle, 3);
   EXPECT_TRUE(meshed.quality.is_closed);
 
   std::vector<Kernel::Point_3> points;
