@@ -24,7 +24,7 @@ The default visitor of the meshing functions, which does nothing. Derive from it
 struct Parametric_surface_mesh_visitor
 {
   /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"smoothing"`, `"improvement"`,
-  /// `"polishing"`, `"output"`.
+  /// `"polishing"`, `"curing"`, `"output"`.
   void on_phase(const char* /* name */) {}
 
   /// called during refinement, once for some hundred new vertices, with the number of vertices so far and an upper bound

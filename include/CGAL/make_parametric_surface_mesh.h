@@ -106,7 +106,8 @@ Criteria_with_own<Criterion> with_own_criterion(const Parametric_surface_mesh_cr
   return Criteria_with_own<Criterion>(criteria, own);
 }
 
-// Meshes a model and hands the result over to `finish`, with the points where several pieces of it may meet. `Numbering` orders the points of the division.
+// Meshes a model and hands the result over to `finish`, with the points where several pieces of it may meet. `Numbering` orders the
+// points of the division.
 template <class ConcurrencyTag, class Model, class NamedParameters, class Numbering, class Finish>
 Parametric_surface_mesh_report mesh_model(const Model& model, Bad_faces& bad_faces,
                                           const Parametric_surface_mesh_criteria& given_criteria,

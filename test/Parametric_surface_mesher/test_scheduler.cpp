@@ -247,6 +247,22 @@ TEST(Stop, of_a_split_face)
   }
 }
 
+// The mesh is whole before detail may vanish from it.
+TEST(Stop, when_detail_may_vanish)
+{
+  Wave::Counters counters;
+  const Model model = tiles(4, 5, [&](int) { return Wave(counters); });
+  const Criteria criteria = Criteria().set_max_edge(0.06).set_detail(1e-4);
+  Mesh whole, mesh;
+  Stopping_visitor patient("never"), visitor("curing");
+  EXPECT_FALSE(mesh_with_visitor<CGAL::Sequential_tag>(model, criteria, patient, whole).is_stopped);
+  const Report report = mesh_with_visitor<CGAL::Sequential_tag>(model, criteria, visitor, mesh);
+  EXPECT_TRUE(report.is_stopped);
+  EXPECT_FALSE(visitor.was_asked_after_stop);
+  EXPECT_EQ(whole.number_of_faces(), mesh.number_of_faces());
+  check_is_whole(mesh, model);
+}
+
 // No face is divided or meshed more than once for the sake of others that are bad.
 TEST(Bad_faces, cost_what_they_cost)
 {

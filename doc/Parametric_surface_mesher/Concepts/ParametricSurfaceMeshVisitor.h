@@ -10,9 +10,10 @@ class ParametricSurfaceMeshVisitor
 {
 public:
   /// called when a phase begins: `"division"` of the edges, `"triangulation"` of the boundary of a patch, `"refinement"`,
-  /// `"smoothing"`, `"improvement"`, `"polishing"`, `"output"`. With smoothing there is refinement before and after it; only some
-  /// patches are polished. Division and output come once; for a model of several patches, or for parts of a large patch, the
-  /// phases from triangulation to polishing alternate.
+  /// `"smoothing"`, `"improvement"`, `"polishing"`, `"curing"` of the whole mesh, `"output"`. With smoothing there is refinement before
+  /// and after it, and some patches are refined and improved once more; only some are polished. Division and output come once, and
+  /// curing only if detail may vanish; for a model of several patches, or for parts of a large patch, the phases from triangulation to
+  /// polishing alternate.
   void on_phase(const char* name);
 
   /// called during refinement, once for some hundred new vertices. A patch that may be split is first refined as a coarse

@@ -91,13 +91,17 @@ inline std::vector<std::size_t> numbers_from_1(std::vector<std::size_t> numbers)
   return numbers;
 }
 
-// By the number of the face, from 1; a face that two shells share counts once.
+// By the number of the face, from 1. A face with creases is several of the model, whose triangles are added up; one that two shells
+// share is two of the model, with the same place, and counts once.
 inline std::map<std::size_t, CGAL::Parametric_surface_mesh_report::Removed_detail> details_by_face(const Mesh_cad_result& result)
 {
   std::map<std::size_t, CGAL::Parametric_surface_mesh_report::Removed_detail> details;
   for(const auto& detail : result.report.removed_details) {
-    auto& same = details.emplace(result.shape.shape_faces[detail.face] + 1, detail).first->second;
+    const auto found = details.emplace(result.shape.shape_faces[detail.face] + 1, detail);
+    auto& same = found.first->second;
     same.moved = (std::max)(same.moved, detail.moved);
+    if(!found.second && same.place != detail.place)
+      same.number_of_triangles += detail.number_of_triangles;
   }
   return details;
 }
@@ -256,7 +260,8 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
   for(const auto& edge : shape.inner_edges)
     out << "  edge " << edge.shape_edge + 1 << " lies inside face " << edge.shape_face + 1 << "; the mesh does not follow it\n";
   if(!shape.repeated_faces.empty())
-    out << "  " << mesh_patch::plural(shape.repeated_faces.size(), "face") << " of shells are in the file once more, outside of shells, and meshed once\n";
+    out << "  " << mesh_patch::plural(shape.repeated_faces.size(), "face")
+        << " of shells are in the file once more, outside of shells, and meshed once\n";
   if(!shape.turned_edges.empty())
     out << "  a shell that cannot be oriented is open at " << mesh_patch::plural(shape.turned_edges.size(), "edge") << "\n";
   if(result.number_of_sewn_edges > 0)
@@ -267,7 +272,8 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
   if(shape.number_of_rebuilt_curves > 0)
     out << "  " << mesh_patch::plural(shape.number_of_rebuilt_curves, "curve") << " of the file missing or wrong in the domain of a face, and projected\n";
   if(shape.number_of_joined_vertices > 0)
-    out << "  " << mesh_patch::plural(shape.number_of_joined_vertices, "vertex", "vertices") << " joined to others, within their tolerances\n";
+    out << "  " << mesh_patch::plural(shape.number_of_joined_vertices, "vertex", "vertices")
+        << " joined to others, within their tolerances\n";
   if(shape.number_of_reversed_faces > 0)
     out << "  " << mesh_patch::plural(shape.number_of_reversed_faces, "face") << " reversed to face to the same side as their neighbours\n";
 }
@@ -276,12 +282,15 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
 inline void print_details(std::ostream& out, const Mesh_cad_result& result)
 {
   const std::size_t max_number_of_lines = 10;
+  std::set<std::size_t> closed_up;
+  for(const auto& face : result.shape.closed_up)
+    closed_up.insert(face.shape_face + 1);
   std::size_t number = 0;
   double moved = 0;
   for(const auto& face : details_by_face(result)) {
     const auto& detail = face.second;
     moved = (std::max)(moved, detail.moved);
-    if(detail.is_closed_up || ++number > max_number_of_lines)
+    if(closed_up.count(face.first) > 0 || ++number > max_number_of_lines)
       continue;
     out << "  detail of face " << face.first << " at (" << detail.place[0] << ", " << detail.place[1]
         << ", " << detail.place[2] << ") is removed: " << mesh_patch::plural(detail.number_of_triangles, "triangle")

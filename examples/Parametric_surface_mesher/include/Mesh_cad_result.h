@@ -36,6 +36,8 @@
 #include <cstddef>
 #include <functional>
 #include <iostream>
+#include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -215,6 +217,22 @@ inline std::string closed_up_text(const CGAL::Open_cascade_model_3::Closed_up_fa
   return text.str();
 }
 
+// Lists the faces of the shape that have lost all their triangles. A face with creases is several of the model.
+inline void note_closed_up_faces(Mesh_cad_result& result)
+{
+  std::set<std::size_t> meshed_faces;
+  for(const auto f : result.mesh.mesh.faces())
+    meshed_faces.insert(result.shape.shape_faces[result.mesh.patch[f]]);
+  std::map<std::size_t, double> closed_up; // how far points moved
+  for(const auto& detail : result.report.removed_details) {
+    const std::size_t face = result.shape.shape_faces[detail.face];
+    if(detail.is_closed_up && meshed_faces.count(face) == 0)
+      closed_up[face] = (std::max)(closed_up[face], detail.moved);
+  }
+  for(const auto& face : closed_up)
+    result.shape.closed_up.push_back({face.first, face.second});
+}
+
 inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
 {
   namespace parameters = CGAL::parameters;
@@ -240,9 +258,7 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
     result.report = CGAL::make_parametric_surface_mesh(result.shape.model, result.criteria, result.mesh.mesh, np);
   for(const auto& face : result.report.left_out)
     result.left_out.push_back({result.shape.shape_faces[face.face], face.reason});
-  for(const auto& detail : result.report.removed_details)
-    if(detail.is_closed_up)
-      result.shape.closed_up.push_back({result.shape.shape_faces[detail.face], detail.moved});
+  note_closed_up_faces(result);
 }
 
 // BREP files have no unit.

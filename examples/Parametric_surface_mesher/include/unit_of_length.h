@@ -62,6 +62,8 @@ void scale_lengths(double factor, Result& result)
   }
   if(result.criteria.detail())
     result.criteria.set_detail(factor * *result.criteria.detail());
+  if(result.criteria.distance())
+    result.criteria.set_distance(factor * *result.criteria.distance());
   result.criteria.set_max_edge(factor * result.criteria.max_edge()).set_min_edge(factor * result.criteria.min_edge());
 }
 

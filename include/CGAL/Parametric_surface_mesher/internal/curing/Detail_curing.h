@@ -66,11 +66,13 @@ public:
       m_squared_distance_bound(distance_bound * distance_bound)
   {}
 
-  void operator()()
+  // After a stop, the complex stays as far as it is.
+  template <class GoFurther>
+  void operator()(const GoFurther& go_further)
   {
     const double sine_before = smallest_sine();
-    improve_all([this](Index t) { return m_changes.around(t); });
-    improve_all([this](Index t) {
+    improve_all(go_further, [this](Index t) { return m_changes.around(t); });
+    improve_all(go_further, [this](Index t) {
       std::vector<Change> result = m_changes.around(t);
       const std::vector<Change> slides = m_changes.slides_around(t);
       result.insert(result.end(), slides.begin(), slides.end());
@@ -86,7 +88,7 @@ public:
   std::size_t number_of_changes() const { return m_number_of_changes; }
 
 private:
-  // apart from corners
+  // The sine of the smallest angle, apart from corners.
   double smallest_sine() const
   {
     double result = 1;
@@ -96,13 +98,14 @@ private:
     return result;
   }
 
-  template <class ChangesAround>
-  void improve_all(const ChangesAround& changes_around)
+  template <class GoFurther, class ChangesAround>
+  void improve_all(const GoFurther& go_further, const ChangesAround& changes_around)
   {
     for(Index t = 0; t < m_complex.triangles().size(); ++t)
       enqueue(t);
-    const std::size_t max_number_of_changes = m_number_of_changes + max_number_of_changes_per_triangle * (m_complex.triangles().size() + 1);
-    while(!m_queue.empty() && m_number_of_changes < max_number_of_changes) {
+    const std::size_t max_number_of_changes
+      = m_number_of_changes + max_number_of_changes_per_triangle * (m_complex.triangles().size() + 1);
+    while(!m_queue.empty() && m_number_of_changes < max_number_of_changes && go_further()) {
       const Index t = m_queue.begin()->second;
       m_queue.erase(m_queue.begin());
       if(!m_complex.triangle(t).is_removed)
@@ -117,7 +120,7 @@ private:
       m_queue.emplace(m_judge.smallest_sine(t).first, t);
   }
 
-  // makes the best of some changes
+  // Makes the best of some changes.
   void improve(const std::vector<Change>& changes)
   {
     const Change* best = nullptr;
@@ -133,7 +136,7 @@ private:
       make(*best);
   }
 
-  // by how much a change makes angles better; 0 if it is not allowed
+  // Returns by how much a change makes angles better, or 0 if it is not allowed.
   double gain(const Change& change)
   {
     if(m_judge.joins_opposite_sheets(change))

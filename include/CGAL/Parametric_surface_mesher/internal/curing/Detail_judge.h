@@ -28,7 +28,7 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // Judges triangles of a complex: their angles, which side of the surface they show, how far it is from them, and the folds at
-// their sides. `Model` tells the surface of a patch.
+// their sides.
 template <class Kernel, class Surface>
 class Detail_judge
 {
@@ -94,8 +94,8 @@ public:
     return {product > 0 ? std::sqrt(normal(t).squared_length() / product) : 0, i};
   }
 
-  // Whether a triangle has a small angle that no change should remove: none, or one between two edges of the model in a vertex
-  // of it, which the shape asks for.
+  // Whether no change should remove a triangle: its smallest angle is large enough, or is one that the shape asks for, between two
+  // edges of the model in a vertex of it.
   bool is_good(Index t, double sine) const
   {
     const auto smallest = smallest_sine(t);
@@ -175,7 +175,7 @@ private:
            && m_complex.is_on_patch_border(t, (i + 2) % 3);
   }
 
-  // across a side where two triangles of a shell meet
+  // The triangles across a side where two triangles of a shell meet.
   std::vector<Index> neighbors(Index t, std::size_t i) const
   {
     const Triangle& triangle = m_complex.triangle(t);
@@ -199,7 +199,7 @@ private:
     return length > 0 ? v / length : v;
   }
 
-  // at the middle of a triangle; zero where the surface is singular
+  // The normal of the surface at the middle of a triangle, or zero where the surface is singular.
   Vector_3 surface_normal(const Triangle& triangle) const
   {
     const auto& uv = triangle.uv;

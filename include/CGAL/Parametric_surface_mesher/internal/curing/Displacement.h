@@ -31,7 +31,7 @@ struct Displacement
     return std::sqrt(result);
   }
 
-  // after one move more
+  // Where the points may be after one move more.
   template <class Point_3>
   Displacement moved(const Point_3& from, const Point_3& to) const
   {
@@ -53,7 +53,7 @@ struct Displacement
     return result;
   }
 
-  // at a share of the way from `a` to `b`
+  // That of the point at a share of the way from `a` to `b`.
   static Displacement between(const Displacement& a, const Displacement& b, double share)
   {
     Displacement result;

@@ -66,22 +66,23 @@ public:
   {}
 
   // \pre the parts have their corner points, and no place in the mesh yet
-  void operator()()
+  template <class GoFurther>
+  void operator()(const GoFurther& go_further)
   {
-    for(int round = 0; round < max_number_of_rounds; ++round) {
+    for(int round = 0; round < max_number_of_rounds && go_further(); ++round) {
       const std::vector<Index> faces = faces_with_small_angles();
-      if(faces.empty() || !cure(faces))
+      if(faces.empty() || !cure(faces, go_further))
         break;
     }
     if(m_is_changed)
       update_report();
   }
 
-  // as they are afterwards
+  // The points at which several pieces may meet, as they are afterwards.
   const std::vector<Index>& meeting_points() const { return m_meeting_points; }
 
 private:
-  // in ascending order, numbered over all parts
+  // The faces with small angles, in ascending order, numbered over all parts.
   std::vector<Index> faces_with_small_angles() const
   {
     std::vector<Index> result;
@@ -96,7 +97,7 @@ private:
     return result;
   }
 
-  // of the smallest angle of a face
+  // The squared sine of the smallest angle of a face.
   double squared_sine(Index part, Index face) const
   {
     const auto corners = Region::corners(m_mesh, m_mesh.parts[part], face);
@@ -104,13 +105,14 @@ private:
                                   squared_distance(corners[0], corners[1])});
   }
 
-  // returns whether something has changed
-  bool cure(const std::vector<Index>& faces)
+  // Returns whether something has changed.
+  template <class GoFurther>
+  bool cure(const std::vector<Index>& faces, const GoFurther& go_further)
   {
     Region region(m_mesh, m_places, m_shells, m_moves, faces);
     Curing curing(region.complex(), m_surfaces, m_are_reversed, *m_criteria.detail(),
                   m_criteria.distance().value_or(std::numeric_limits<double>::infinity()));
-    curing();
+    curing(go_further);
     if(curing.number_of_changes() == 0 || !curing.is_good())
       return false;
     m_is_changed = true;

@@ -32,6 +32,22 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
+// The values at the points of an edge, with one more in the middle of some pieces: `make(i)` in that of piece `i`.
+// `numbers`: of these pieces, in ascending order
+template <class Value, class Make>
+std::vector<Value> with_middles(const std::vector<Value>& values, const std::vector<std::size_t>& numbers, const Make& make)
+{
+  std::vector<Value> result;
+  result.reserve(values.size() + numbers.size());
+  auto next = numbers.begin();
+  for(std::size_t i = 0; i < values.size(); ++i) {
+    result.push_back(values[i]);
+    if(next != numbers.end() && *next == i)
+      result.push_back(make(*next++));
+  }
+  return result;
+}
+
 // The points of a divided edge.
 template <class Kernel>
 struct Edge_division

@@ -290,16 +290,6 @@ public:
     return {use->edge, use->is_reversed ? number_of_pieces(use->edge) - 1 - segment : segment};
   }
 
-  // Of the points with their present numbers: whether a face uses them that is not left out.
-  std::vector<bool> are_used() const
-  {
-    std::vector<bool> result(number_of_points(), false);
-    for(std::size_t e : uses().order())
-      for(std::size_t i = 0; i <= number_of_pieces(e); ++i)
-        result[index(e, i)] = true;
-    return result;
-  }
-
   // The points of a divided edge.
   const std::vector<Point_3>& points(std::size_t edge) const { return m_divisions[edge].points; }
 
@@ -308,17 +298,6 @@ public:
 
   // The index in the mesh of a vertex of the model that is used.
   std::size_t vertex_index(std::size_t vertex) const { return m_numbering.vertex(vertex); }
-
-  // The vertices at which several pieces of the mesh may meet: those of the model, and all those on edges that are not manifold.
-  std::vector<std::size_t> meeting_points() const
-  {
-    std::vector<std::size_t> result = m_numbering.vertices();
-    for(std::size_t e : uses().order())
-      if(!uses().is_manifold(e))
-        for(std::size_t i = 1; i < number_of_pieces(e); ++i)
-          result.push_back(index(e, i));
-    return result;
-  }
 
 private:
   // Calls `function`, which divides an edge, and changes nothing if it fails. A face that is the cause of an error is left
@@ -376,23 +355,6 @@ private:
     division.points.swap(points);
     m_domain_points[edge].swap(domain_points);
     m_changed_edges.insert(edge);
-  }
-
-  // The values at the points of an edge, with one more in the middle of some pieces: `make(i)` in that of piece `i`.
-  // `numbers`: of these pieces, in ascending order
-  template <class Value, class Make>
-  static std::vector<Value> with_middles(const std::vector<Value>& values, const std::vector<std::size_t>& numbers,
-                                         const Make& make)
-  {
-    std::vector<Value> result;
-    result.reserve(values.size() + numbers.size());
-    auto next = numbers.begin();
-    for(std::size_t i = 0; i < values.size(); ++i) {
-      result.push_back(values[i]);
-      if(next != numbers.end() && *next == i)
-        result.push_back(make(*next++));
-    }
-    return result;
   }
 
   // Appends the points of a use except for the last one, with which the next use begins.

@@ -36,6 +36,33 @@ std::vector<Place_in_model> places_in_model(const Division& division)
   return result;
 }
 
+// Whether a face uses the points of a division that is not left out, by their present indices.
+template <class Division>
+std::vector<bool> are_points_used(const Division& division)
+{
+  std::vector<bool> result(division.number_of_points(), false);
+  for(std::size_t e : division.uses().order())
+    for(std::size_t i = 0; i <= division.number_of_pieces(e); ++i)
+      result[division.index(e, i)] = true;
+  return result;
+}
+
+// The points of a division at which several pieces of the mesh may meet: the vertices of the model, and all points on edges that are
+// not manifold.
+template <class Division>
+std::vector<std::size_t> meeting_points(const Division& division)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t v = 0; v < division.model().vertices().size(); ++v)
+    if(division.is_used(v))
+      result.push_back(division.vertex_index(v));
+  for(std::size_t e : division.uses().order())
+    if(!division.uses().is_manifold(e))
+      for(std::size_t i = 1; i < division.number_of_pieces(e); ++i)
+        result.push_back(division.index(e, i));
+  return result;
+}
+
 } // namespace internal
 } // namespace Parametric_surface_mesher
 } // namespace CGAL

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -59,16 +58,8 @@ public:
   // \pre it has an index
   std::size_t vertex(std::size_t vertex) const { return m_vertices[vertex]; }
 
-  // of the point after the first one of the edge for `number` 0, and so on
+  // The index of an inner point of an edge. `number`: 0 for the one after the first point of the edge, and so on
   std::size_t inner_point(std::size_t edge, std::size_t number) const { return m_first_inner_points[edge] + number; }
-
-  // of all vertices that have one, by vertex
-  std::vector<std::size_t> vertices() const
-  {
-    std::vector<std::size_t> result;
-    std::copy_if(m_vertices.begin(), m_vertices.end(), std::back_inserter(result), [](std::size_t i) { return i != none; });
-    return result;
-  }
 };
 
 } // namespace internal

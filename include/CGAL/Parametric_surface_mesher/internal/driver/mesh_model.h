@@ -119,6 +119,7 @@ private:
   const std::vector<typename Model::Surface_3> m_surfaces;
   const std::vector<Oracle> m_oracles;
   std::vector<Triangulated_boundary<Oracle>> m_boundaries; // of the faces, if closeness has made them; a job takes its own
+  std::vector<bool> m_are_reversed; // by face, as far as they are appended
   Mesh_progress& m_progress;
   Bad_faces& m_bad_faces;
   Parametric_surface_mesh_report& m_report;
@@ -129,7 +130,7 @@ public:
   Model_mesher(const Model& model, const Criteria& criteria, const MetricField& metric, Mesh_progress& progress,
                Bad_faces& bad_faces, Parametric_surface_mesh_report& report)
     : m_model(model), m_criteria(criteria), m_surfaces(copy_surfaces(model)), m_oracles(make_oracles(model, m_surfaces, metric)),
-      m_progress(progress), m_bad_faces(bad_faces), m_report(report)
+      m_are_reversed(model.faces().size()), m_progress(progress), m_bad_faces(bad_faces), m_report(report)
   {
     set_default_sizes(m_criteria, model_diagonal(model));
     m_report.max_edge = m_criteria.max_edge();
@@ -169,7 +170,7 @@ public:
     leave_out_failed(jobs, division);
     append(jobs, mesh);
     remove_unused_points(division, number_points, mesh);
-    m_meeting_points = division.meeting_points();
+    m_meeting_points = internal::meeting_points(division);
     if(m_criteria.detail() && !m_report.is_stopped)
       cure(division, mesh);
     mesh.template finish<ConcurrencyTag>();
@@ -350,6 +351,7 @@ private:
       for(auto& part : job.result().parts) {
         part.mesh.patch = job.face();
         part.mesh.place_of_cuts = place_of_cuts;
+        m_are_reversed[job.face()] = is_reversed;
         if(is_reversed)
           part.mesh.reverse();
         append_report(part.report, mesh.number_of_faces(), m_report);
@@ -361,13 +363,13 @@ private:
   void cure(const Division& division, Mesh& mesh)
   {
     Phase_timer timer(m_report.seconds.improvement);
-    std::vector<bool> are_reversed;
-    for(const auto& face : m_model.faces())
-      are_reversed.push_back(face.is_reversed);
-    Mesh_curing<Kernel, typename Model::Surface_3> curing(mesh, m_criteria, m_surfaces, shells(m_model), are_reversed,
+    Patch_progress progress(m_progress);
+    progress.on_phase("curing");
+    Mesh_curing<Kernel, typename Model::Surface_3> curing(mesh, m_criteria, m_surfaces, shells(m_model), m_are_reversed,
                                                           places_in_model(division), m_meeting_points, m_report);
-    curing();
+    curing([&] { return progress.go_further(); });
     m_meeting_points = curing.meeting_points();
+    m_report.is_stopped = m_progress.is_stopped();
   }
 
   // Points that only faces have that were left out after their edges were divided.
@@ -376,7 +378,7 @@ private:
   {
     if(m_bad_faces.is_empty())
       return;
-    mesh.remove_points_of_division(division.are_used());
+    mesh.remove_points_of_division(are_points_used(division));
     number_points(division);
   }
 };

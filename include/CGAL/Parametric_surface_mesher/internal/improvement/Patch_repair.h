@@ -12,6 +12,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Face_turning.h>
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Failure_count.h>
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Guarded_change.h>
+#include <CGAL/Parametric_surface_mesher/internal/improvement/Repair_places.h>
 #include <CGAL/Parametric_surface_mesher/internal/improvement/Vertex_star.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Edge_flip.h>
@@ -50,16 +51,8 @@ class Patch_repair
   typedef typename Triangulation::Face_handle Face_handle;
   typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Point Point;
-  typedef typename Kernel::Point_2 Point_2;
   typedef Vertex_star<Triangulation, typename Evaluator::Oracle::Metric_field> Star;
   typedef internal::Failure_count<Judge> Failure_count;
-
-  // where a vertex might go, and the smallest angle that this would give, as far as the surface can be told from the vertex
-  struct Candidate
-  {
-    Point_2 position;
-    double squared_sine;
-  };
 
   // of the squared sine
   static constexpr double least_gain = 1.01, least_gain_of_many = 1.2;
@@ -80,13 +73,12 @@ class Patch_repair
   bool m_has_new_failures = false;
   const bool m_is_unfinished;       // for want of vertices: then none is taken out
   Star m_star;
+  Repair_places<Evaluator, Star> m_places;
   Face_turning<Evaluator> m_turn_over;
   const Failure_count m_number_of_failures;
   Guarded_change<Triangulation, Judge> m_change;
   std::deque<Face_handle> m_queue;
   std::unordered_set<Face_handle> m_removed; // faces
-  std::vector<Point_2> m_apices;
-  std::vector<Candidate> m_candidates;
 
 public:
   Patch_repair(Triangulation& triangulation, const Evaluator& evaluate, const Judge& judge,
@@ -96,7 +88,7 @@ public:
       m_squared_sine_of_criterion(squared_sine_of_degrees(criteria.angle())),
       m_squared_min_edge(square(criteria.min_edge())),
       m_is_unfinished(triangulation.number_of_vertices() >= criteria.max_number_of_vertices()),
-      m_star(triangulation, evaluate.oracle().metric()),
+      m_star(triangulation, evaluate.oracle().metric()), m_places(evaluate, m_star),
       m_turn_over(triangulation, evaluate, m_squared_min_edge),
       m_number_of_failures(judge, criteria),
       m_change(m_number_of_failures)
@@ -302,15 +294,14 @@ private:
     return false;
   }
 
-  // by shares of the way to apices
+  // Tries places at shares of the way to apices.
   bool move_if_better(Vertex_handle vertex, std::initializer_list<double> shares)
   {
     m_star.collect(vertex);
     const Point old_point = vertex->point();
     const double old_sine = m_star.squared_smallest_sine(old_point), least = m_least_gain * old_sine;
-    collect_candidates(vertex, least, shares);
     bool has_begun = false;
-    for(const Candidate& candidate : m_candidates) {
+    for(const auto& candidate : m_places(vertex, least, shares)) {
       if(!m_star.is_around(candidate.position))
         continue;
       const Point point = m_evaluate.position(candidate.position, vertex->spacing()).point;
@@ -378,26 +369,6 @@ private:
     std::copy_if(m_star.faces().begin(), m_star.faces().end(), std::back_inserter(result),
                  [&](Face_handle face) { return !face->has_vertex(vertex); });
     return result;
-  }
-
-  // Places that may give a smallest angle above that of `least`, the best first: by shares of the way to apices.
-  void collect_candidates(Vertex_handle vertex, double least, std::initializer_list<double> shares)
-  {
-    m_star.apices(m_apices);
-    m_candidates.clear();
-    const Point& p = vertex->point();
-    const auto jet = m_evaluate.position(p, vertex->spacing()).jet;
-    for(const Point_2& apex : m_apices)
-      for(double share : shares) {
-        const double u = share * (apex.x() - p.x()), v = share * (apex.y() - p.y());
-        const Point_2 position(p.x() + u, p.y() + v);
-        const auto move = u * jet.du + v * jet.dv + (0.5 * u * u) * jet.duu + (u * v) * jet.duv + (0.5 * v * v) * jet.dvv;
-        const double sine = m_star.squared_smallest_sine(Point(position, p.surface_point() + move, p.tensor()), least);
-        if(sine > least)
-          m_candidates.push_back({position, sine});
-      }
-    std::stable_sort(m_candidates.begin(), m_candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.squared_sine > b.squared_sine; });
   }
 };
 

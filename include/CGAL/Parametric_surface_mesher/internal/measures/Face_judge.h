@@ -126,7 +126,7 @@ public:
     return failed_by_shape(f) | failed_by_deviation(f);
   }
 
-  // those of them that take no evaluation of the surface
+  // Those of them that take no evaluation of the surface.
   template <class Face_handle>
   Criterion_set failed_by_shape(Face_handle f) const
   {
@@ -141,7 +141,7 @@ public:
     return result;
   }
 
-  // those of them that are judged by the surface
+  // Those of them that are judged by the surface.
   template <class Face_handle>
   Criterion_set failed_by_deviation(Face_handle f) const
   {
@@ -172,7 +172,7 @@ public:
   }
 
 private:
-  // by deviation and distance, as far as they are not known to be close to the surface
+  // The criteria that a face fails at edges that are not known to be close to the surface.
   template <class Face_handle>
   Criterion_set failed_at_edges(Face_handle f) const
   {

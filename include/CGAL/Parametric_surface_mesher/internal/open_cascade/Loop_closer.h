@@ -31,8 +31,9 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Makes the curves of a loop meet exactly in the domain of a face. In a file they meet only up to tolerances, and do not meet at poles whose collapsed edge is missing. ShapeFix_Wire of Open CASCADE also closes loops, but
-// changes edges, which faces share, and keeps gaps within the tolerances.
+// Makes the curves of a loop meet exactly in the domain of a face. In a file they meet only up to tolerances, and do not meet at poles
+// whose collapsed edge is missing. ShapeFix_Wire of Open CASCADE also closes loops, but changes edges, which faces share, and keeps
+// gaps within the tolerances.
 class Loop_closer
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;

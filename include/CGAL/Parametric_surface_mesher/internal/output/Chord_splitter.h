@@ -147,7 +147,7 @@ private:
       m_chords.insert(indices);
   }
 
-  // the ends of an edge with the face on its left
+  // Returns the ends of an edge with the face on its left.
   static Chord end_points(Face_handle face, int i)
   {
     return {face->vertex(Triangulation::ccw(i)), face->vertex(Triangulation::cw(i))};
