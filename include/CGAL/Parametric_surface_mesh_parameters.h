@@ -21,6 +21,8 @@ namespace internal {
 enum Vertex_uv_map_t { vertex_uv_map_tag };
 enum Halfedge_uv_map_t { halfedge_uv_map_tag };
 enum Face_patch_id_map_t { face_patch_id_map_tag };
+enum Vertex_place_map_t { vertex_place_map_tag };
+enum Edge_place_map_t { edge_place_map_tag };
 enum Metric_field_t { metric_field_tag };
 enum Leaves_out_bad_faces_t { leaves_out_bad_faces_tag };
 enum Triangle_criterion_t { triangle_criterion_tag };
@@ -84,6 +86,32 @@ auto face_patch_id_map(const FacePatchIdMap& map, const Others&... others)
 {
   return Parametric_surface_mesher::internal::named_parameter<
     Parametric_surface_mesher::internal::Face_patch_id_map_t>(map, others...);
+}
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+the named parameter for the property map that takes, for each vertex, what it lies on in the model: a model of `WritablePropertyMap` with
+value type `Parametric_surface_mesher::Vertex_place`. See `vertex_uv_map()` on how to combine it.
+*/
+template <class VertexPlaceMap, class... Others>
+auto vertex_place_map(const VertexPlaceMap& map, const Others&... others)
+{
+  return Parametric_surface_mesher::internal::named_parameter<
+    Parametric_surface_mesher::internal::Vertex_place_map_t>(map, others...);
+}
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+the named parameter for the property map that takes, for each edge of the mesh, the edge of the model that it is a piece of: a model of
+`WritablePropertyMap` with value type `Parametric_surface_mesher::Edge_place`. See `vertex_uv_map()` on how to combine it.
+*/
+template <class EdgePlaceMap, class... Others>
+auto edge_place_map(const EdgePlaceMap& map, const Others&... others)
+{
+  return Parametric_surface_mesher::internal::named_parameter<
+    Parametric_surface_mesher::internal::Edge_place_map_t>(map, others...);
 }
 
 /*!

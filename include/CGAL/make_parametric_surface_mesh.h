@@ -25,6 +25,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/model/model_of_patch.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Face_graph_filler.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Output_maps.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Places_in_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/separate_pieces.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Checked_metric_field_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
@@ -64,9 +65,19 @@ constexpr bool wants_domain_points()
   return !parameters::is_default_parameter<NamedParameters, Vertex_uv_map_t>::value;
 }
 
+template <class NamedParameters, class Division, class Mesh>
+auto places_in_mesh(const Division& division, const Mesh& mesh)
+{
+  if constexpr(parameters::is_default_parameter<NamedParameters, Vertex_place_map_t>::value
+               && parameters::is_default_parameter<NamedParameters, Edge_place_map_t>::value)
+    return No_places_in_mesh();
+  else
+    return Places_in_mesh<Division>(division, mesh);
+}
+
 // Hands a finished mesh to the user's data structure.
-template <class ConcurrencyTag, class Kernel, class TriangleMesh, class NamedParameters>
-void output(Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParameters& np)
+template <class ConcurrencyTag, class Division, class Kernel, class TriangleMesh, class NamedParameters>
+void output(const Division& division, Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -83,8 +94,16 @@ void output(Indexed_mesh<Kernel>& mesh, TriangleMesh& tm, const NamedParameters&
   const auto face_patch_id_map
     = choose_parameter(get_parameter(np, Face_patch_id_map_t()),
                        Ignoring_property_map<typename Graph_traits::face_descriptor, std::size_t>());
-  add_to_face_graph<ConcurrencyTag>(
-    mesh, tm, make_output_maps(vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map));
+  const auto vertex_place_map
+    = choose_parameter(get_parameter(np, Vertex_place_map_t()),
+                       Ignoring_property_map<typename Graph_traits::vertex_descriptor, Vertex_place>());
+  const auto edge_place_map
+    = choose_parameter(get_parameter(np, Edge_place_map_t()),
+                       Ignoring_property_map<typename Graph_traits::edge_descriptor, Edge_place>());
+  add_to_face_graph<ConcurrencyTag>(mesh, tm,
+                                    make_output_maps(vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map,
+                                                     vertex_place_map, edge_place_map),
+                                    places_in_mesh<NamedParameters>(division, mesh));
 }
 
 template <class NamedParameters>
@@ -106,8 +125,8 @@ Criteria_with_own<Criterion> with_own_criterion(const Parametric_surface_mesh_cr
   return Criteria_with_own<Criterion>(criteria, own);
 }
 
-// Meshes a model and hands the result over to `finish`, with the points where several pieces of it may meet. `Numbering` orders the
-// points of the division.
+// Meshes a model and hands the result over to `finish`, with its division and the points where several pieces of it may meet.
+// `Numbering` orders the points of the division.
 template <class ConcurrencyTag, class Model, class NamedParameters, class Numbering, class Finish>
 Parametric_surface_mesh_report mesh_model(const Model& model, Bad_faces& bad_faces,
                                           const Parametric_surface_mesh_criteria& given_criteria,
@@ -132,7 +151,7 @@ Parametric_surface_mesh_report mesh_model(const Model& model, Bad_faces& bad_fac
   mesher.template mesh_faces<ConcurrencyTag>(division, number_points, mesh);
   Phase_timer timer(report.seconds.output);
   progress.on_phase("output");
-  finish(mesher.meeting_points(), mesh);
+  finish(division, mesher.meeting_points(), mesh);
   report.number_of_vertices = mesh.number_of_points();
   return report;
 }
@@ -145,9 +164,9 @@ Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& mo
 {
   return mesh_model<ConcurrencyTag>(model, bad_faces, criteria, np, wants_domain_points<NamedParameters>(),
                                     wants_corner_points<NamedParameters>(), number_points,
-                                    [&](const auto& meeting_points, auto& mesh) {
+                                    [&](const auto& division, const auto& meeting_points, auto& mesh) {
                                       separate_pieces<ConcurrencyTag>(mesh, shells(model), meeting_points);
-                                      output<ConcurrencyTag>(mesh, tm, np);
+                                      output<ConcurrencyTag>(division, mesh, tm, np);
                                     });
 }
 
@@ -200,6 +219,19 @@ that takes is said below, where models are meshed.
     \cgalParamDescription{a property map that takes the domain point of the target of each halfedge, in the domain of its face's patch}
     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`
                    as key type and `%Point_2` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_place_map}
+    \cgalParamDescription{a property map that takes, for each vertex, what it lies on: a model that is meshed has vertices, edges and faces; the edges
+                          of a domain are its curves, loop by loop, its vertices are where they begin}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `Parametric_surface_mesher::Vertex_place` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_place_map}
+    \cgalParamDescription{a property map that takes, for each edge of `tm`, the edge of the model, or the curve of the domain, that it is a piece of}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
+                   as key type and `Parametric_surface_mesher::Edge_place` as value type}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{metric_field}

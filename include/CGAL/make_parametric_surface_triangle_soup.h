@@ -88,7 +88,7 @@ make_parametric_surface_triangle_soup(const Parametric_surface_model_3<Surface>&
     return with_good_faces(model, leaves_out_bad_faces(np), [&](const auto& checked_model, Bad_faces& bad_faces) {
       return mesh_model<ConcurrencyTag>(checked_model, bad_faces, criteria, np, false, false,
                                         [](auto& division) { division.number_vertices_first(); },
-                                        [&](const auto&, const auto& mesh) {
+                                        [&](const auto&, const auto&, const auto& mesh) {
                                           fill_triangle_soup<ConcurrencyTag>(mesh, points, triangles, patch_ids);
                                         });
     });

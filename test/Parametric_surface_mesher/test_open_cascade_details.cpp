@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -196,4 +197,33 @@ TEST(Details, corners_stay_in_the_domain)
       const auto p = shape.model.faces()[patch[f]].surface.point(uv[h].x(), uv[h].y());
       EXPECT_LT(CGAL::squared_distance(p, mesh.point(mesh.target(h))), CGAL::square(*criteria_with_detail(shape.diagonal).detail()));
     }
+}
+
+// Edges between faces are those of the model that are left, with their parameters but for where two of them are one now.
+TEST(Details, edges_keep_their_places)
+{
+  CGAL::Open_cascade_model_3 shape = CGAL::make_model_of_open_cascade_shape(stepped_bar(0.01));
+  Mesh mesh;
+  auto patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
+  auto places = mesh.add_property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place>("e:place").first;
+  CGAL::make_parametric_surface_mesh(shape.model, criteria_with_detail(shape.diagonal), mesh,
+                                     CGAL::parameters::edge_place_map(places, CGAL::parameters::face_patch_id_map(patch)));
+  for(const auto e : mesh.edges()) {
+    const auto h = mesh.halfedge(e);
+    EXPECT_EQ(patch[mesh.face(h)] != patch[mesh.face(mesh.opposite(h))], places[e].index != places[e].none);
+    if(places[e].index == places[e].none)
+      continue;
+    for(std::size_t end : {0, 1}) {
+      const double t = places[e].parameters[end];
+      const auto& edge = shape.model.edges()[places[e].index];
+      const Kernel::Point_3 source = shape.model.vertices()[edge.source], target = shape.model.vertices()[edge.target],
+                            p = mesh.point(end == 0 ? mesh.source(h) : mesh.target(h));
+      if(std::isnan(t)) {
+        EXPECT_NEAR(25, p.x(), 1e-9);
+      }
+      else { // all edges are straight
+        EXPECT_LT(CGAL::squared_distance(p, source + t * (target - source)), 1e-12);
+      }
+    }
+  }
 }

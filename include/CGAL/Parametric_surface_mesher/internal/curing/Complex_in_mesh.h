@@ -41,6 +41,7 @@ class Complex_in_mesh
   Mesh& m_mesh;
   Complex m_complex;
   std::vector<Index> m_numbers;                    // of the vertices, in the mesh
+  std::vector<Place_in_model> m_places;            // of the vertices, before they were changed
   std::vector<Index> m_owners;                     // of the vertices: the part that has them as its own, or none
   std::vector<std::pair<Index, Index>> m_sources;  // of the first triangles: part, and face in the part
   std::vector<std::vector<bool>> m_are_taken_away; // by part and face: whether the face was changed
@@ -57,11 +58,9 @@ public:
   // How far points have moved already, by their places: no place changes.
   typedef std::map<typename Kernel::Point_3, Displacement> Moves;
 
-  // `faces`: numbered over all parts, in ascending order. `places`: of the points of the division; others lie inside faces.
-  // `shells`: by patch
+  // `faces`: numbered over all parts, in ascending order. `shells`: by patch
   // \pre the parts have no place in the mesh yet
-  Complex_in_mesh(Mesh& mesh, const std::vector<Place_in_model>& places, const std::vector<Index>& shells, const Moves& moves,
-                  const std::vector<Index>& faces)
+  Complex_in_mesh(Mesh& mesh, const std::vector<Index>& shells, const Moves& moves, const std::vector<Index>& faces)
     : m_mesh(mesh)
   {
     const std::vector<unsigned char> levels = this->levels(faces);
@@ -69,7 +68,7 @@ public:
     for(Index p = 0; p < mesh.parts.size(); ++p)
       for(Index f = 0; f < mesh.parts[p].faces.size(); ++f)
         if(smallest_level(p, f, levels) <= width_of_free_part) {
-          add_vertices(p, f, places, moves, levels, vertices);
+          add_vertices(p, f, moves, levels, vertices);
           add_triangle(p, f, shells, vertices);
         }
   }
@@ -83,6 +82,14 @@ public:
   {
     const Index n = m_new_numbers[m_numbers[vertex]];
     return n < Part::first_cut_point ? n : Index(none);
+  }
+
+  // Where a vertex of the complex lies now.
+  Place_in_model place(Index vertex) const
+  {
+    const int dimension = m_complex.vertex(vertex).dimension;
+    return dimension == m_places[vertex].dimension ? m_places[vertex]
+                                                   : Place_in_model{dimension, Place_in_model::none, Place_in_model::none};
   }
 
   // The corners of a face of a part that has no place in the mesh yet.
@@ -150,8 +157,8 @@ private:
     return result;
   }
 
-  void add_vertices(Index p, Index f, const std::vector<Place_in_model>& places, const Moves& moves,
-                    const std::vector<unsigned char>& levels, std::vector<Index>& vertices)
+  void add_vertices(Index p, Index f, const Moves& moves, const std::vector<unsigned char>& levels,
+                    std::vector<Index>& vertices)
   {
     const Part& part = m_mesh.parts[p];
     for(Part_index v : part.faces[f]) {
@@ -159,7 +166,8 @@ private:
       if(vertices[n] != none)
         continue;
       const bool is_own = n >= m_mesh.points.size();
-      const Place_in_model place = n < places.size() ? places[n] : Place_in_model();
+      const Place_in_model place = is_own ? Place_in_model{2, part.patch, Place_in_model::none} : m_mesh.places[n];
+      m_places.push_back(place);
       const auto& point = is_own ? part.points[v - Part::first_own_point] : m_mesh.points[n];
       const auto moved = moves.find(point);
       vertices[n] = m_complex.add_vertex({point, place.dimension, place.entity, levels[n] > width_of_free_part,

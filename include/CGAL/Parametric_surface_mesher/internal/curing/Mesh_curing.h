@@ -48,7 +48,6 @@ class Mesh_curing
   const std::vector<Surface>& m_surfaces; // by patch, and so are the next two
   std::vector<Index> m_shells;
   std::vector<bool> m_are_reversed;
-  std::vector<Place_in_model> m_places;   // of the points of the division
   std::vector<Index> m_meeting_points;
   typename Region::Moves m_moves;
   std::map<Index, Parametric_surface_mesh_report::Removed_detail> m_details; // by patch
@@ -58,10 +57,10 @@ class Mesh_curing
 public:
   // `meeting_points`: those at which several pieces of the mesh may meet
   Mesh_curing(Mesh& mesh, const Parametric_surface_mesh_criteria& criteria, const std::vector<Surface>& surfaces,
-              std::vector<Index> shells, std::vector<bool> are_reversed, std::vector<Place_in_model> places,
-              std::vector<Index> meeting_points, Parametric_surface_mesh_report& report)
+              std::vector<Index> shells, std::vector<bool> are_reversed, std::vector<Index> meeting_points,
+              Parametric_surface_mesh_report& report)
     : m_mesh(mesh), m_criteria(criteria), m_surfaces(surfaces), m_shells(std::move(shells)),
-      m_are_reversed(std::move(are_reversed)), m_places(std::move(places)), m_meeting_points(std::move(meeting_points)),
+      m_are_reversed(std::move(are_reversed)), m_meeting_points(std::move(meeting_points)),
       m_report(report)
   {}
 
@@ -109,7 +108,7 @@ private:
   template <class GoFurther>
   bool cure(const std::vector<Index>& faces, const GoFurther& go_further)
   {
-    Region region(m_mesh, m_places, m_shells, m_moves, faces);
+    Region region(m_mesh, m_shells, m_moves, faces);
     Curing curing(region.complex(), m_surfaces, m_are_reversed, *m_criteria.detail(),
                   m_criteria.distance().value_or(std::numeric_limits<double>::infinity()));
     curing(go_further);
@@ -136,9 +135,9 @@ private:
   void renumber_points(const Region& region)
   {
     std::vector<Place_in_model> places(m_mesh.points.size(), Place_in_model());
-    for(Index n = 0; n < m_places.size(); ++n)
+    for(Index n = 0; n < m_mesh.places.size(); ++n)
       if(region.new_points[n] != Region::none)
-        places[region.new_points[n]] = m_places[n];
+        places[region.new_points[n]] = m_mesh.places[n];
     std::set<Index> meeting_points;
     for(Index n : m_meeting_points)
       if(region.new_points[n] != Region::none)
@@ -149,11 +148,11 @@ private:
       if(vertex.displacement.length() > 0)
         m_moves[vertex.point] = vertex.displacement;
       if(n != Region::none) {
-        places[n] = {vertex.dimension, vertex.entity};
+        places[n] = region.place(v);
         meeting_points.insert(n);
       }
     }
-    m_places.swap(places);
+    m_mesh.places.swap(places);
     m_meeting_points.assign(meeting_points.begin(), meeting_points.end());
   }
 

@@ -18,8 +18,11 @@ namespace internal {
 // What a point of a mesh lies on.
 struct Place_in_model
 {
-  int dimension = 2;      // 0 for a vertex, 1 for an edge, 2 for a face
-  std::size_t entity = 0; // the index of the vertex or edge
+  static constexpr std::size_t none = std::size_t(-1);
+
+  int dimension = 2;         // 0 for a vertex, 1 for an edge, 2 for a face
+  std::size_t entity = none; // the index of the vertex, edge or face, if it is known
+  std::size_t number = none; // on an edge: the number of the point among those of its division
 };
 
 // The places of the points of a division, by their indices.
@@ -29,9 +32,9 @@ std::vector<Place_in_model> places_in_model(const Division& division)
   std::vector<Place_in_model> result(division.number_of_points());
   for(std::size_t e : division.uses().order()) {
     for(std::size_t i = 1; i < division.number_of_pieces(e); ++i)
-      result[division.index(e, i)] = {1, e};
+      result[division.index(e, i)] = {1, e, i};
     for(std::size_t v : {division.model().edges()[e].source, division.model().edges()[e].target})
-      result[division.vertex_index(v)] = {0, v};
+      result[division.vertex_index(v)] = {0, v, Place_in_model::none};
   }
   return result;
 }

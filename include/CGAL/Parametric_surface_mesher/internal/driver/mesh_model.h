@@ -172,7 +172,7 @@ public:
     remove_unused_points(division, number_points, mesh);
     m_meeting_points = internal::meeting_points(division);
     if(m_criteria.detail() && !m_report.is_stopped)
-      cure(division, mesh);
+      cure(mesh);
     mesh.template finish<ConcurrencyTag>();
     m_report.number_of_boundary_edges = division.number_of_edges();
     m_report.number_of_faces = mesh.number_of_faces();
@@ -346,6 +346,7 @@ private:
       mesh.points.insert(mesh.points.end(), job.result().cut_points.begin(), job.result().cut_points.end());
       mesh.domain_points.insert(mesh.domain_points.end(), job.result().cut_domain_points.begin(),
                                 job.result().cut_domain_points.end());
+      mesh.places.resize(mesh.points.size(), {2, job.face(), Place_in_model::none});
       const auto& face = m_model.faces()[job.face()];
       const bool is_reversed = face.is_reversed != is_turned_by_division(face, job.loops());
       for(auto& part : job.result().parts) {
@@ -360,13 +361,13 @@ private:
     }
   }
 
-  void cure(const Division& division, Mesh& mesh)
+  void cure(Mesh& mesh)
   {
     Phase_timer timer(m_report.seconds.improvement);
     Patch_progress progress(m_progress);
     progress.on_phase("curing");
     Mesh_curing<Kernel, typename Model::Surface_3> curing(mesh, m_criteria, m_surfaces, shells(m_model), m_are_reversed,
-                                                          places_in_model(division), m_meeting_points, m_report);
+                                                          m_meeting_points, m_report);
     curing([&] { return progress.go_further(); });
     m_meeting_points = curing.meeting_points();
     m_report.is_stopped = m_progress.is_stopped();

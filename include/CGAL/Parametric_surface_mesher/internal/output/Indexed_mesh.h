@@ -9,6 +9,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_INDEXED_MESH_H
 
 #include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/Place_in_model.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Partial_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/for_each_index.h>
 
@@ -34,6 +35,7 @@ struct Indexed_mesh
 
   std::vector<Point_3> points;        // those that parts share: of divided boundaries and of cuts
   std::vector<Point_2> domain_points; // for a vertex on several patches, in one of their domains
+  std::vector<Place_in_model> places; // of those points
   std::vector<Part> parts;
   std::vector<std::size_t> copies;    // indices of the shared points that are copied
 
@@ -83,10 +85,12 @@ public:
       if(i < are_used.size() && !are_used[i])
         continue;
       points[number] = points[i];
+      places[number] = places[i];
       domain_points[number++] = domain_points[i];
     }
     const std::size_t number_of_removed = points.size() - number;
     points.resize(number);
+    places.resize(number);
     domain_points.resize(number);
     for(Part& part : parts) {
       part.place_of_cuts -= number_of_removed;
@@ -113,6 +117,13 @@ public:
   {
     copies.push_back(vertex);
     return number_of_points() - 1;
+  }
+
+  // The shared point that a vertex is a copy of, or the vertex itself.
+  std::size_t original(std::size_t vertex) const
+  {
+    const std::size_t first_copy = number_of_points() - copies.size();
+    return vertex < first_copy ? vertex : copies[vertex - first_copy];
   }
 };
 

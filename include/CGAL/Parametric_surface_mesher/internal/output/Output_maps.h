@@ -53,29 +53,33 @@ struct Is_concurrent_map<Surface_mesh<Point>, Map>
 };
 
 // The property maps that the output fills.
-template <class VertexPointMap, class VertexUvMap, class HalfedgeUvMap, class FacePatchIdMap>
+template <class VertexPointMap, class VertexUvMap, class HalfedgeUvMap, class FacePatchIdMap, class VertexPlaceMap, class EdgePlaceMap>
 struct Output_maps
 {
   VertexPointMap vertex_point_map;
   VertexUvMap vertex_uv_map;
   HalfedgeUvMap halfedge_uv_map;
   FacePatchIdMap face_patch_id_map;
+  VertexPlaceMap vertex_place_map;
+  EdgePlaceMap edge_place_map;
 
   template <class TriangleMesh>
   static constexpr bool are_concurrent()
   {
     return Is_concurrent_map<TriangleMesh, VertexPointMap>::value && Is_concurrent_map<TriangleMesh, VertexUvMap>::value
            && Is_concurrent_map<TriangleMesh, HalfedgeUvMap>::value
-           && Is_concurrent_map<TriangleMesh, FacePatchIdMap>::value;
+           && Is_concurrent_map<TriangleMesh, FacePatchIdMap>::value && Is_concurrent_map<TriangleMesh, VertexPlaceMap>::value
+           && Is_concurrent_map<TriangleMesh, EdgePlaceMap>::value;
   }
 };
 
-template <class VertexPointMap, class VertexUvMap, class HalfedgeUvMap, class FacePatchIdMap>
-Output_maps<VertexPointMap, VertexUvMap, HalfedgeUvMap, FacePatchIdMap>
+template <class VertexPointMap, class VertexUvMap, class HalfedgeUvMap, class FacePatchIdMap, class VertexPlaceMap, class EdgePlaceMap>
+Output_maps<VertexPointMap, VertexUvMap, HalfedgeUvMap, FacePatchIdMap, VertexPlaceMap, EdgePlaceMap>
 make_output_maps(const VertexPointMap& vertex_point_map, const VertexUvMap& vertex_uv_map,
-                 const HalfedgeUvMap& halfedge_uv_map, const FacePatchIdMap& face_patch_id_map)
+                 const HalfedgeUvMap& halfedge_uv_map, const FacePatchIdMap& face_patch_id_map,
+                 const VertexPlaceMap& vertex_place_map, const EdgePlaceMap& edge_place_map)
 {
-  return {vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map};
+  return {vertex_point_map, vertex_uv_map, halfedge_uv_map, face_patch_id_map, vertex_place_map, edge_place_map};
 }
 
 } // namespace internal

@@ -8,6 +8,7 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_APPEND_DIVISION_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_APPEND_DIVISION_H
 
+#include <CGAL/Parametric_surface_mesher/internal/division/Place_in_model.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
 
 #include <algorithm>
@@ -24,6 +25,7 @@ void append_division(const Division& division, Indexed_mesh<Kernel>& mesh)
 {
   mesh.points.resize(division.number_of_points());
   mesh.domain_points.resize(division.number_of_points());
+  mesh.places = places_in_model(division);
   for(std::size_t v = 0; v < division.model().vertices().size(); ++v)
     if(division.is_used(v))
       mesh.points[division.vertex_index(v)] = division.model().vertices()[v];
