@@ -13,12 +13,12 @@ if(OpenCASCADE_FOUND AND NOT TARGET Parametric_surface_mesher::Open_cascade_supp
   if(TARGET TKDESTEP)
     set(open_cascade_readers TKDESTEP TKDEIGES)
   else()
-    set(open_cascade_readers TKSTEP TKSTEPBase TKIGES)
+    set(open_cascade_readers TKXDESTEP TKXDEIGES TKSTEP TKSTEPBase TKIGES)
   endif()
   set_target_properties(Parametric_surface_mesher::Open_cascade_support PROPERTIES
     INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${OpenCASCADE_INCLUDE_DIR}"
     INTERFACE_INCLUDE_DIRECTORIES "${OpenCASCADE_INCLUDE_DIR}"
     INTERFACE_COMPILE_DEFINITIONS CGAL_PARAMETRIC_SURFACE_MESHER_USE_OPEN_CASCADE
-    INTERFACE_LINK_LIBRARIES "${open_cascade_readers};TKXSBase;TKShHealing;TKTopAlgo;TKBRep;TKGeomAlgo;TKGeomBase;TKG3d;TKG2d;TKMath;TKernel")
+    INTERFACE_LINK_LIBRARIES "${open_cascade_readers};TKXCAF;TKLCAF;TKCAF;TKCDF;TKXSBase;TKShHealing;TKTopAlgo;TKBRep;TKGeomAlgo;TKGeomBase;TKG3d;TKG2d;TKMath;TKernel")
   unset(open_cascade_readers)
 endif()

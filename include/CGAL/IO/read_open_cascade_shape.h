@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Parametric_surface_mesher.h>
 
+#include <CGAL/Open_cascade_names_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/read_shape_file.h>
 
 #include <TopoDS_Shape.hxx>
@@ -36,10 +37,14 @@ function throws an exception. The limit of the processor time is 10 seconds and 
             far below 1 loses faces. Read it in millimetres, and scale the mesh.
 \param faults takes a sentence for each kind of thing that is in the file but not in the shape: faces that could not be read,
               damaged loops, a missing end. It is empty for a file that was read completely.
+\param names takes the parts of the assembly, and names, colours, layers and materials, as far as the file tells of them. A BREP
+             file tells of none, and its parts are its bodies with their numbers. If names cannot be read, so are those of other files;
+             `Open_cascade_names_3::faults` tells why.
 
 \throws Parametric_surface_mesh_error if the file cannot be read or contains no shape
 */
-inline TopoDS_Shape read_open_cascade_shape(const std::string& file_name, const std::string& unit, std::vector<std::string>& faults)
+inline TopoDS_Shape read_open_cascade_shape(const std::string& file_name, const std::string& unit, std::vector<std::string>& faults,
+                                            Open_cascade_names_3& names)
 {
   using namespace Parametric_surface_mesher::internal;
   if(!std::ifstream(file_name))
@@ -49,7 +54,19 @@ inline TopoDS_Shape read_open_cascade_shape(const std::string& file_name, const 
     throw Parametric_surface_mesh_error(file_name + ": expected a file that ends in .step, .stp, .iges, .igs, .brep or .rle");
   Shape_of_file result = read_shape_file_safely(file_name, unit);
   faults = std::move(result.faults);
+  names = std::move(result.names);
   return result.shape;
+}
+
+/*!
+\ingroup PkgParametricSurfaceMesherOpenCascade
+
+reads a shape as above, without its names.
+*/
+inline TopoDS_Shape read_open_cascade_shape(const std::string& file_name, const std::string& unit, std::vector<std::string>& faults)
+{
+  Open_cascade_names_3 names;
+  return read_open_cascade_shape(file_name, unit, faults, names);
 }
 
 /*!

@@ -9,29 +9,33 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_READ_SHAPE_FILE_H
 
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
+#include <CGAL/Open_cascade_names_3.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Child_process.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Part_builder.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Text_archive.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/exchange_file_faults.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/names_of_exchange_file.h>
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
-#include <IGESControl_Reader.hxx>
+#include <IGESCAFControl_Reader.hxx>
 #include <Interface_Static.hxx>
-#include <STEPControl_Reader.hxx>
+#include <STEPCAFControl_Reader.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <iterator>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -39,11 +43,12 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// A shape, and a sentence for each kind of thing that its file has and the shape has not.
+// A shape, a sentence for each kind of thing that its file has and the shape has not, and the names of what it consists of.
 struct Shape_of_file
 {
   TopoDS_Shape shape;
   std::vector<std::string> faults;
+  Open_cascade_names_3 names;
 };
 
 // The part of a file name after its last dot, in small letters.
@@ -53,6 +58,13 @@ inline std::string ending_of(const std::string& file_name)
   std::string result = dot == std::string::npos || file_name[dot] == '/' ? "" : file_name.substr(dot + 1);
   std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return char(std::tolower(c)); });
   return result;
+}
+
+// A file name without folders and ending.
+inline std::string stem_of(const std::string& file_name)
+{
+  const std::size_t slash = file_name.find_last_of('/'), begin = slash == std::string::npos ? 0 : slash + 1;
+  return file_name.substr(begin, file_name.find_last_of('.') - begin);
 }
 
 // Sets the unit that lengths are converted to, "MM" for instance, and puts the old one back.
@@ -69,15 +81,34 @@ public:
   ~Exchange_unit() { Interface_Static::SetCVal("xstep.cascade.unit", m_old.c_str()); }
 };
 
-template <class Reader>
-Shape_of_file read_exchange_file(const std::string& file_name, const std::string& unit, const char* format)
+// Completes what was read, once there is a shape: bodies have their numbers for names.
+inline void check_shape(const std::string& file_name, Shape_of_file& read)
+{
+  if(read.shape.IsNull())
+    throw Parametric_surface_mesh_error(file_name + " contains no shape" + (read.faults.empty() ? "" : ": " + read.faults.front()));
+  read.names = names_of_bodies(read.shape, stem_of(file_name));
+}
+
+// Calls `on_shape` with the shape before the names are read, in which many files have faults of their own.
+template <class Reader, class Function>
+Shape_of_file read_exchange_file(const std::string& file_name, const std::string& unit, const char* format, Function on_shape)
 {
   Reader reader; // its constructor sets the parameters up, the unit among them
+  auto& shapes = reader_of_shapes(reader);
   const Exchange_unit conversion(unit);
-  if(reader.ReadFile(file_name.c_str()) != IFSelect_RetDone)
+  if(shapes.ReadFile(file_name.c_str()) != IFSelect_RetDone)
     throw Parametric_surface_mesh_error("cannot read " + file_name + " as " + format);
-  reader.TransferRoots();
-  return {reader.OneShape(), faults_of_file(reader, file_name)};
+  shapes.TransferRoots();
+  Shape_of_file result{shapes.OneShape(), faults_of_file(shapes, file_name), {}};
+  check_shape(file_name, result);
+  on_shape(result);
+  try {
+    result.names = guarded([&] { return names_of_exchange_file(reader, result.shape, stem_of(file_name)); });
+  }
+  catch(const std::exception& error) {
+    result.names.faults.push_back(error.what());
+  }
+  return result;
 }
 
 // A BREP file ends with the number and the place of its shape, after the asterisk that ends the last part of it; from some
@@ -104,18 +135,20 @@ inline Shape_of_file read_brep_file(const std::string& file_name)
   return result;
 }
 
-// Reads a file in this process. Damaged files let the readers of Open CASCADE crash, or never return.
-inline Shape_of_file read_shape_file(const std::string& file_name, const std::string& unit)
+// Reads a file in this process. Damaged files let the readers of Open CASCADE crash, or never return. `on_shape` is called with the
+// shape when its names are still missing.
+template <class Function>
+Shape_of_file read_shape_file(const std::string& file_name, const std::string& unit, Function on_shape)
 {
   const std::string ending = ending_of(file_name);
   return guarded([&]() -> Shape_of_file {
-    Shape_of_file result = ending == "brep" || ending == "rle" ? read_brep_file(file_name)
-                           : ending == "step" || ending == "stp"
-                             ? read_exchange_file<STEPControl_Reader>(file_name, unit, "STEP")
-                             : read_exchange_file<IGESControl_Reader>(file_name, unit, "IGES");
-    if(result.shape.IsNull())
-      throw Parametric_surface_mesh_error(file_name + " contains no shape"
-                                          + (result.faults.empty() ? "" : ": " + result.faults.front()));
+    if(ending == "step" || ending == "stp")
+      return read_exchange_file<STEPCAFControl_Reader>(file_name, unit, "STEP", on_shape);
+    if(ending == "iges" || ending == "igs")
+      return read_exchange_file<IGESCAFControl_Reader>(file_name, unit, "IGES", on_shape);
+    Shape_of_file result = read_brep_file(file_name);
+    check_shape(file_name, result);
+    on_shape(result);
     return result;
   });
 }
@@ -153,41 +186,81 @@ inline Process_limits limits_of_reading(const std::string& file_name)
   return {least_seconds + unsigned(seconds_per_megabyte * size / 1e6), least_bytes + bytes_per_byte * size};
 }
 
-// Reads a file in a process of its own, which hands the shape over in Open CASCADE's binary format.
+// What one process reads and hands over to another: the shape in Open CASCADE's binary format, and then what else there is.
+class Handed_over_shape
+{
+  Temporary_file m_shape, m_rest;
+
+public:
+  void write_shape(const TopoDS_Shape& shape) const
+  {
+    std::ofstream file(m_shape.name(), std::ios::binary);
+    guarded([&] { BinTools::Write(shape, file); });
+    check(file, m_shape);
+  }
+
+  void write_rest(Shape_of_file& read) const
+  {
+    std::ofstream file(m_rest.name(), std::ios::binary);
+    Text_writer write(file);
+    write(read.faults, read.names);
+    check(file, m_rest);
+  }
+
+  bool is_whole() const { return std::ifstream(m_rest.name(), std::ios::binary).peek() != std::ifstream::traits_type::eof(); }
+
+  Shape_of_file read() const
+  {
+    Shape_of_file result;
+    std::ifstream shape(m_shape.name(), std::ios::binary), rest(m_rest.name(), std::ios::binary);
+    guarded([&] { BinTools::Read(result.shape, shape); });
+    Text_reader text(rest);
+    text(result.faults, result.names);
+    return result;
+  }
+
+private:
+  static void check(std::ofstream& file, const Temporary_file& name)
+  {
+    if(!file.flush())
+      throw Parametric_surface_mesh_error("cannot write the temporary file " + name.name());
+  }
+};
+
+// Why a process that read a file has handed over nothing.
+inline std::string reason_of(const Process_end& end, const Process_limits& limits)
+{
+  switch(end.kind) {
+  case Process_end::OUT_OF_TIME:
+    return "Open CASCADE has not finished after " + std::to_string(limits.seconds) + " seconds; the file is probably damaged";
+  case Process_end::CRASHED:
+    return "Open CASCADE crashed on it (" + end.text + "); the file is probably damaged";
+  default:
+    return end.text;
+  }
+}
+
+// Reads a file in a process of its own. If that ends early when it has the shape, names are missing, and nothing else.
 inline Shape_of_file read_shape_file_safely(const std::string& file_name, const std::string& unit)
 {
   const Process_limits limits = limits_of_reading(file_name);
-  const Temporary_file handed_over;
+  const Handed_over_shape handed_over;
   const Child_process reading(limits, [&]() -> std::string {
-    const Shape_of_file read = read_shape_file(file_name, unit);
-    std::string faults;
-    for(const std::string& fault : read.faults)
-      faults += fault + "\n";
-    std::ofstream file(handed_over.name(), std::ios::binary);
-    guarded([&] { BinTools::Write(read.shape, file); });
-    if(!file.flush())
-      throw Parametric_surface_mesh_error("cannot write the temporary file " + handed_over.name());
-    return faults;
+    Shape_of_file read = read_shape_file(file_name, unit, [&](Shape_of_file& without_names) {
+      handed_over.write_shape(without_names.shape);
+      handed_over.write_rest(without_names);
+    });
+    handed_over.write_rest(read);
+    return "";
   });
   const Process_end end = reading();
-  switch(end.kind) {
-  case Process_end::OUT_OF_TIME:
-    throw Parametric_surface_mesh_error("cannot read " + file_name + ": Open CASCADE has not finished after "
-                                        + std::to_string(limits.seconds) + " seconds; the file is probably damaged");
-  case Process_end::CRASHED:
-    throw Parametric_surface_mesh_error("cannot read " + file_name + ": Open CASCADE crashed on it (" + end.text
-                                        + "); the file is probably damaged");
-  case Process_end::FAILED:
+  if(end.kind == Process_end::FAILED)
     throw Parametric_surface_mesh_error(end.text);
-  case Process_end::DONE:
-    break;
-  }
-  Shape_of_file result;
-  std::ifstream file(handed_over.name(), std::ios::binary);
-  guarded([&] { BinTools::Read(result.shape, file); });
-  std::istringstream faults(end.text);
-  for(std::string fault; std::getline(faults, fault);)
-    result.faults.push_back(fault);
+  if(end.kind != Process_end::DONE && !handed_over.is_whole())
+    throw Parametric_surface_mesh_error("cannot read " + file_name + ": " + reason_of(end, limits));
+  Shape_of_file result = handed_over.read();
+  if(end.kind != Process_end::DONE)
+    result.names.faults.push_back("names, colours and layers could not be read: " + reason_of(end, limits));
   return result;
 }
 
@@ -195,7 +268,7 @@ inline Shape_of_file read_shape_file_safely(const std::string& file_name, const 
 
 inline Shape_of_file read_shape_file_safely(const std::string& file_name, const std::string& unit)
 {
-  return read_shape_file(file_name, unit);
+  return read_shape_file(file_name, unit, [](const Shape_of_file&) {});
 }
 
 #endif
