@@ -17,6 +17,10 @@ namespace {
 // returns the exit status
 int run(const Mesh_cad_options& options)
 {
+  if(options.is_list_wanted) {
+    mesh_cad::list_parts(std::cout, options);
+    return 0;
+  }
   Mesh_cad_result result;
   const Output_files files = mesh_cad::output_files(options, result);
   mesh_cad::mesh_and_measure(options, result);

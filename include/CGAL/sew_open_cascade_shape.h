@@ -17,6 +17,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Shape_sewing.h>
 
+#include <BRepTools_History.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
@@ -33,6 +34,7 @@ struct Sewn_open_cascade_shape
   std::size_t number_of_sewn_edges = 0;  ///< edges that are each the place of two or more edges of before
   std::size_t number_of_free_edges = 0;  ///< edges that have remained without a partner
   std::size_t number_of_lost_faces = 0;  ///< faces of before that are not in the result: as small as the tolerance
+  opencascade::handle<BRepTools_History> history; ///< what has become of faces, edges and vertices
 };
 
 /*!
@@ -62,6 +64,7 @@ inline Sewn_open_cascade_shape sew_open_cascade_shape(const TopoDS_Shape& shape,
     const Parametric_surface_mesher::internal::Shape_sewing sewing(shape, tolerance);
     Sewn_open_cascade_shape result;
     result.shape = sewing.shape();
+    result.history = sewing.history();
     result.number_of_sewn_edges = sewing.number_of_sewn_edges();
     result.number_of_free_edges = sewing.number_of_free_edges();
     const std::size_t before = number_of_faces(shape), after = number_of_faces(result.shape);

@@ -5,13 +5,14 @@
 #include "Named_assembly.h"
 
 #include <CGAL/IO/read_open_cascade_shape.h>
+#include <CGAL/carry_over_open_cascade_names.h>
+#include <CGAL/repair_open_cascade_shape.h>
+#include <CGAL/sew_open_cascade_shape.h>
 
 #include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
 #include <Bnd_Box.hxx>
 #include <IGESCAFControl_Writer.hxx>
-#include <Interface_Static.hxx>
-#include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Reader.hxx>
 #include <STEPControl_Writer.hxx>
 
@@ -77,13 +78,7 @@ std::string boxes_of_faces(const TopoDS_Shape& shape)
   return result.str();
 }
 
-void write_step(const std::string& name)
-{
-  STEPCAFControl_Writer writer;
-  Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
-  writer.Transfer(Named_assembly().document, STEPControl_AsIs);
-  writer.Write(temporary_file(name).c_str());
-}
+void write_step(const std::string& name) { write_named_assembly(temporary_file(name)); }
 
 TEST(Open_cascade_names, the_parts_of_an_assembly)
 {
@@ -170,6 +165,49 @@ TEST(Open_cascade_names, iges)
   EXPECT_EQ(read.names.parts.front().faces.size(), 27u);
   const auto is_red = [](const auto& color) { return color && color->red > 0.99 && color->blue < 0.01; };
   EXPECT_EQ(std::count_if(read.names.face_colors.begin(), read.names.face_colors.end(), is_red), 2);
+}
+
+// The red faces are the same after the operation.
+void expect_red_tops(const Names& names, const TopoDS_Shape& shape)
+{
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  ASSERT_EQ(names.face_colors.size(), std::size_t(faces.Extent()));
+  std::size_t number = 0;
+  for(int f = 1; f <= faces.Extent(); ++f) {
+    const auto& color = names.face_colors[std::size_t(f) - 1];
+    if(color && color->red > 0.99 && color->blue < 0.01) {
+      ++number;
+      EXPECT_NEAR(box(faces(f)).CornerMin().Z(), 1, 1e-6);
+      EXPECT_NEAR(box(faces(f)).CornerMax().Z(), 1, 1e-6);
+    }
+  }
+  EXPECT_EQ(number, 2u);
+}
+
+TEST(Open_cascade_names, names_survive_sewing_and_repair)
+{
+  IGESCAFControl_Writer writer;
+  writer.Transfer(Named_assembly().document);
+  writer.Write(temporary_file("loose.iges").c_str());
+  const Read loose("loose.iges");
+  const auto sewn = CGAL::sew_open_cascade_shape(loose.shape, 1e-4);
+  EXPECT_GT(sewn.number_of_sewn_edges, 40u);
+  expect_red_tops(CGAL::carry_over_open_cascade_names(loose.names, loose.shape, sewn.history, sewn.shape), sewn.shape);
+
+  write_step("repaired.step");
+  const Read read("repaired.step");
+  opencascade::handle<BRepTools_History> history;
+  const TopoDS_Shape repaired = CGAL::repair_open_cascade_shape(read.shape, history);
+  const Names names = CGAL::carry_over_open_cascade_names(read.names, read.shape, history, repaired);
+  expect_red_tops(names, repaired);
+  EXPECT_EQ(std::count(names.face_names.begin(), names.face_names.end(), "top"), 2);
+  ASSERT_EQ(names.parts.size(), read.names.parts.size());
+  for(std::size_t p = 0; p < names.parts.size(); ++p) {
+    EXPECT_EQ(names.parts[p].faces.size(), read.names.parts[p].faces.size());
+    EXPECT_EQ(names.parts[p].shells.size(), read.names.parts[p].shells.size());
+    EXPECT_EQ(names.parts[p].solids.size(), read.names.parts[p].solids.size());
+  }
 }
 
 TEST(Open_cascade_names, what_has_no_names_has_numbers)

@@ -24,7 +24,7 @@ struct Mesh_cad_options
 {
   std::string input, out, picture, json, unit = "MM";
   std::string face_list, face_sizes, edge_sizes;
-  std::vector<std::string> sphere_list;
+  std::vector<std::string> sphere_list, part_lists;
   double max_edge = 0, min_edge = 0, distance = 0, detail = 0; // 0 if not given
   double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8, growth = 0;
   double sewing_tolerance = -1; // 0 for never, below 0 if not given
@@ -33,7 +33,7 @@ struct Mesh_cad_options
   unsigned int threads = 1;
   std::set<std::size_t> faces;                                 // from `face_list`; empty for all
   std::map<std::size_t, double> max_edge_of_face, max_edge_of_edge; // from the lists of sizes
-  bool is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false;
+  bool is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_list_wanted = false;
 };
 
 namespace mesh_cad {
@@ -76,6 +76,9 @@ const char* const conclusion =
   "  repeated_faces                 faces of shells that the file has once more outside of shells\n"
   "  turned_edges                   edges at which the mesh is open since a shell cannot be oriented\n"
   "  sewn_edges, lost_faces         pairs of edges joined, and faces lost, by sewing\n"
+  "  file_unit                      the unit of length of the file\n"
+  "  parts                          the parts of the assembly: number, name, place, solids, faces, ...\n"
+  "  face_names, face_colors, ...   names, colours and layers, by the numbers of faces, edges, ...\n"
   "  largest_gap                    the largest distance of an edge from one of its faces\n"
   "  seconds                        processor time: reading, model, meshing, measuring\n"
   "\n"
@@ -107,12 +110,15 @@ inline po::options_description described_options(Mesh_cad_options& o)
   po::options_description input("Input", 92);
   input.add_options()
     ("faces", text(o.face_list, "LIST"), "mesh these faces only, for example 1,4,7-9")
+    ("parts", po::value<std::vector<std::string>>(&o.part_lists)->value_name("NAME,..."),
+     "mesh these parts of an assembly only: numbers of --list, names or paths; sizes and distances stay those of the whole; may be given several times")
     ("unit", text(o.unit, "UNIT"), "unit of lengths, of options and results: UM, MM, CM, M, KM, UIN, MIL, INCH, FT or MI (MM); BREP files have no unit")
     ("threads", po::value<unsigned int>(&o.threads)->value_name("N"), "number of threads that mesh faces (1)")
     ("sew", number(o.sewing_tolerance), "join edges of different faces that are at most this far apart; IGES files are sewn by default, 0 turns this off (IGES: 0.00001 of the diagonal, others: 0)")
     ("heal", po::bool_switch(&o.is_healing_wanted), "let Open CASCADE repair the shape first (ShapeFix_Shape)");
   po::options_description output("Output", 92);
   output.add_options()
+    ("list", po::bool_switch(&o.is_list_wanted), "print the parts of the assembly, their sizes, and what has names, and stop; --json writes them")
     ("out", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh or .inp")
     ("picture", text(o.picture, "FILE"), "a picture of the mesh, as .svg")
     ("json", text(o.json, "FILE"), "the results in numbers, as .json")

@@ -9,6 +9,7 @@
 #include "Mesh_cad_result.h"
 #include "Output_files.h"
 #include "Unmet_count.h"
+#include "json_of_names.h"
 #include "write_element_file.h"
 #include "write_mesh_file.h"
 #include "write_surface_picture.h"
@@ -82,13 +83,6 @@ inline std::vector<std::size_t> collapsed_edges(const CGAL::Open_cascade_model_3
     if(shape.model_edges[e].empty())
       result.push_back(e + 1);
   return result;
-}
-
-inline std::vector<std::size_t> numbers_from_1(std::vector<std::size_t> numbers)
-{
-  for(std::size_t& number : numbers)
-    ++number;
-  return numbers;
 }
 
 // By the number of the face, from 1. A face with creases is several of the model, whose triangles are added up; one that two shells
@@ -192,12 +186,19 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
                               {"improvement", s.improvement}, {"output", s.output}}}};
 }
 
+// Names that are not in UTF-8 lose what is not.
+inline void write_json(std::ostream& out, const nlohmann::ordered_json& json)
+{
+  out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
+}
+
 inline void write_json(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
 {
   nlohmann::ordered_json json = {{"name", title(options)}};
   json.update(json_of_shape(result));
+  json.update(json_of_names(result.names));
   json.update(json_of_mesh(result));
-  out << json.dump(2) << "\n";
+  write_json(out, json);
 }
 
 // The files that the options ask for; throws if one of them could not be written later.
@@ -251,6 +252,8 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
   const auto& shape = result.shape;
   for(const std::string& fault : result.file_faults)
     out << "  NOT READ: " << fault << "\n";
+  for(const std::string& fault : result.names.faults)
+    out << "  note: " << fault << "\n";
   for(const auto& face : result.left_out)
     out << "  LEFT OUT face " << face.shape_face + 1 << ": " << face.reason << "\n";
   for(const auto& face : shape.closed_up)
@@ -309,7 +312,7 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
       << mesh_patch::plural(q.number_of_vertices, "vertex", "vertices") << ", "
       << mesh_patch::plural(q.number_of_faces, "triangle") << ", "
       << (q.is_closed ? "closed" : mesh_patch::plural(q.number_of_boundary_cycles, "border"));
-  if(q.is_closed != result.shape.is_shape_closed && options.faces.empty())
+  if(q.is_closed != result.shape.is_shape_closed && options.faces.empty() && options.part_lists.empty())
     out << (q.is_closed ? ", ALTHOUGH THE SHAPE IS NOT CLOSED" : ", ALTHOUGH THE SHAPE IS CLOSED");
   out << "\n";
   print_shape(out, result);
@@ -323,6 +326,22 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
   mesh_patch::print_unmet(out, result.report);
   out << "  " << result.meshing_seconds << " s for meshing (reading " << result.reading_seconds << ", model "
       << result.model_seconds << ", measuring " << result.measuring_seconds << ")\n";
+}
+
+// What --list asks for.
+inline void list_parts(std::ostream& out, const Mesh_cad_options& options)
+{
+  Mesh_cad_result result;
+  Output_files files;
+  if(!options.json.empty()) {
+    mesh_patch::check_ending("json", options.json, {".json"});
+    files.add(options.json, [&](std::ostream& json) { write_json(json, json_of_names(result.names)); });
+  }
+  const double unit = unit_in_millimetres(options);
+  const TopoDS_Shape shape = read_shape(options, result);
+  print_parts(out, title(options), has_unit(options) ? options.unit : "the unit of the file", unit, result.names, shape);
+  scale_lengths(1 / unit, result.names);
+  files.write();
 }
 
 } // namespace mesh_cad

@@ -6,6 +6,7 @@
 #define MESH_CAD_RESULT_H
 
 #include "Mesh_cad_options.h"
+#include "Mesh_cad_parts.h"
 #include "Progress_line.h"
 #include "measure_cad_mesh.h"
 #include "unit_of_length.h"
@@ -16,6 +17,7 @@
 #include <CGAL/make_parametric_surface_mesh.h>
 
 #include <CGAL/IO/read_open_cascade_shape.h>
+#include <CGAL/carry_over_open_cascade_names.h>
 #include <CGAL/make_model_of_open_cascade_shape.h>
 #include <CGAL/repair_open_cascade_shape.h>
 #include <CGAL/sew_open_cascade_shape.h>
@@ -53,6 +55,7 @@ struct Mesh_cad_result
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
   Cad_mesh_measures measures;
+  CGAL::Open_cascade_names_3 names;
   std::vector<std::string> file_faults; // what the file contains and the shape lacks
   std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
   std::size_t number_of_sewn_edges = 0, number_of_lost_faces = 0; // joined and lost by sewing
@@ -89,28 +92,48 @@ inline void check_numbers(const std::string& option, std::size_t largest, std::s
                       + mesh_patch::plural(number, what));
 }
 
-// Removes the faces that the user does not want.
-inline void select_faces(const std::set<std::size_t>& wanted, CGAL::Open_cascade_model_3& shape)
+// Removes faces that the user does not want. `is_wanted_in_model` is asked with indices of the model, `is_wanted` with those of the shape.
+template <class ModelPredicate, class Predicate>
+void keep_faces(const ModelPredicate& is_wanted_in_model, const Predicate& is_wanted, CGAL::Open_cascade_model_3& shape)
 {
-  if(wanted.empty())
-    return;
-  check_numbers("faces", *wanted.rbegin(), shape.number_of_shape_faces, "face");
-  const auto is_unwanted = [&](std::size_t face) { return wanted.count(face + 1) == 0; };
   std::vector<CGAL::Open_cascade_model_3::Model::Face> faces;
   std::vector<std::size_t> numbers;
   for(std::size_t f = 0; f < shape.shape_faces.size(); ++f)
-    if(!is_unwanted(shape.shape_faces[f])) {
+    if(is_wanted_in_model(f)) {
       faces.push_back(std::move(shape.model.faces()[f]));
       numbers.push_back(shape.shape_faces[f]);
     }
   shape.model.faces().swap(faces);
   shape.shape_faces.swap(numbers);
   const auto keep_wanted = [&](auto& list) {
-    const auto is_unwanted_face = [&](const auto& face) { return is_unwanted(face.shape_face); };
+    const auto is_unwanted_face = [&](const auto& face) { return !is_wanted(face.shape_face); };
     list.erase(std::remove_if(list.begin(), list.end(), is_unwanted_face), list.end());
   };
   keep_wanted(shape.left_out);
   keep_wanted(shape.closed_up);
+}
+
+inline void select_faces(const std::set<std::size_t>& wanted, CGAL::Open_cascade_model_3& shape)
+{
+  if(wanted.empty())
+    return;
+  check_numbers("faces", *wanted.rbegin(), shape.number_of_shape_faces, "face");
+  const auto is_wanted = [&](std::size_t face) { return wanted.count(face + 1) > 0; };
+  keep_faces([&](std::size_t f) { return is_wanted(shape.shape_faces[f]); }, is_wanted, shape);
+}
+
+// A face that two parts share is meshed as the boundary of those that are wanted.
+inline void select_parts(const std::set<std::size_t>& wanted, const Names& names, CGAL::Open_cascade_model_3& shape)
+{
+  if(wanted.empty())
+    return;
+  const auto parts = parts_of_model_faces(shape, names);
+  std::set<std::size_t> faces;
+  for(const std::size_t part : wanted)
+    faces.insert(names.parts[part].faces.begin(), names.parts[part].faces.end());
+  if(faces.empty())
+    throw Usage_error("--parts: there are no faces in part " + names.parts[*wanted.begin()].path);
+  keep_faces([&](std::size_t f) { return is_in(names, parts[f], wanted); }, [&](std::size_t face) { return faces.count(face) > 0; }, shape);
 }
 
 inline void set_sizes(const Mesh_cad_options& options, CGAL::Open_cascade_model_3& shape)
@@ -197,15 +220,22 @@ inline double sewing_tolerance(const Mesh_cad_options& options, const TopoDS_Sha
 inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result& result)
 {
   const Silence silence;
-  TopoDS_Shape shape = CGAL::IO::read_open_cascade_shape(options.input, "MM", result.file_faults);
+  TopoDS_Shape shape = CGAL::IO::read_open_cascade_shape(options.input, "MM", result.file_faults, result.names);
   const double tolerance = sewing_tolerance(options, shape);
   if(tolerance > 0) {
     const CGAL::Sewn_open_cascade_shape sewn = CGAL::sew_open_cascade_shape(shape, tolerance);
     result.number_of_sewn_edges = sewn.number_of_sewn_edges;
     result.number_of_lost_faces = sewn.number_of_lost_faces;
+    result.names = CGAL::carry_over_open_cascade_names(result.names, shape, sewn.history, sewn.shape);
     shape = sewn.shape;
   }
-  return options.is_healing_wanted ? CGAL::repair_open_cascade_shape(shape) : shape;
+  if(options.is_healing_wanted) {
+    opencascade::handle<BRepTools_History> history;
+    const TopoDS_Shape repaired = CGAL::repair_open_cascade_shape(shape, history);
+    result.names = CGAL::carry_over_open_cascade_names(result.names, shape, history, repaired);
+    shape = repaired;
+  }
+  return shape;
 }
 
 // The number of the face and the reason.
@@ -262,11 +292,16 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
 }
 
 // BREP files have no unit.
+inline bool has_unit(const Mesh_cad_options& options)
+{
+  const std::string ending = CGAL::Parametric_surface_mesher::internal::ending_of(options.input);
+  return ending != "brep" && ending != "rle";
+}
+
 inline double unit_in_millimetres(const Mesh_cad_options& options)
 {
   const double result = millimetres_of(options.unit);
-  const std::string ending = CGAL::Parametric_surface_mesher::internal::ending_of(options.input);
-  return ending == "brep" || ending == "rle" ? 1 : result;
+  return has_unit(options) ? result : 1;
 }
 
 inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& result)
@@ -278,8 +313,14 @@ inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& res
   result.reading_seconds = seconds_of([&] { shape = read_shape(options, result); });
   if(!TopExp_Explorer(shape, TopAbs_FACE).More())
     throw Usage_error("no face could be read from " + options.input);
+  std::set<std::size_t> wanted_parts;
+  for(const std::string& list : options.part_lists) {
+    const auto parts = parts_in(result.names, list);
+    wanted_parts.insert(parts.begin(), parts.end());
+  }
   result.model_seconds = seconds_of([&] {
     result.shape = CGAL::make_model_of_open_cascade_shape(shape);
+    select_parts(wanted_parts, result.names, result.shape);
     select_faces(options.faces, result.shape);
     set_sizes(options, result.shape);
   });

@@ -9,6 +9,9 @@
 #include "Mesh_cad_options.h"
 #include "Usage_error.h"
 
+#include <CGAL/Open_cascade_names_3.h>
+
+#include <cstddef>
 #include <map>
 #include <string>
 #include <type_traits>
@@ -36,6 +39,13 @@ inline void scale_lengths(double factor, Mesh_cad_options& options)
   options.spheres.scale(factor);
 }
 
+inline void scale_lengths(double factor, CGAL::Open_cascade_names_3& names)
+{
+  for(auto& part : names.parts)
+    for(std::size_t i : {3, 7, 11}) // the translation
+      part.location[i] *= factor;
+}
+
 // Scales the mesh and what was measured in lengths.
 template <class Result>
 void scale_lengths(double factor, Result& result)
@@ -46,6 +56,7 @@ void scale_lengths(double factor, Result& result)
     auto& p = result.mesh.mesh.point(v);
     p = typename std::decay<decltype(p)>::type(factor * p.x(), factor * p.y(), factor * p.z());
   }
+  scale_lengths(factor, result.names);
   for(double* length : {&result.measures.distance, &result.shape.diagonal, &result.shape.largest_gap, &result.report.max_edge,
                         &result.report.min_edge})
     *length *= factor;

@@ -8,7 +8,9 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
+#include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
+#include <STEPCAFControl_Writer.hxx>
 #include <TCollection_ExtendedString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDF_Label.hxx>
@@ -106,5 +108,13 @@ private:
     return column;
   }
 };
+
+inline void write_named_assembly(const std::string& step_file_name)
+{
+  STEPCAFControl_Writer writer;
+  Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
+  writer.Transfer(Named_assembly().document, STEPControl_AsIs);
+  writer.Write(step_file_name.c_str());
+}
 
 #endif // NAMED_ASSEMBLY_H

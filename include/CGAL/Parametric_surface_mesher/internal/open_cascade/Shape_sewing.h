@@ -13,6 +13,8 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepTools_History.hxx>
+#include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -40,6 +42,7 @@ class Shape_sewing
   double m_tolerance;
   TopTools_IndexedMapOfShape m_parts; // of the result
   std::size_t m_number_of_sewn_edges = 0, m_number_of_free_edges = 0;
+  opencascade::handle<BRepTools_History> m_history = new BRepTools_History();
 
 public:
   Shape_sewing(const TopoDS_Shape& shape, double tolerance) : m_tolerance(tolerance)
@@ -64,6 +67,8 @@ public:
 
   std::size_t number_of_sewn_edges() const { return m_number_of_sewn_edges; }
   std::size_t number_of_free_edges() const { return m_number_of_free_edges; }
+
+  const opencascade::handle<BRepTools_History>& history() const { return m_history; }
 
   TopoDS_Shape shape() const
   {
@@ -110,6 +115,7 @@ private:
     if(sewing.SewedShape().IsNull())
       return;
     m_parts.Add(sewing.SewedShape());
+    m_history->Merge(sewing.GetContext()->History());
     m_number_of_sewn_edges += std::size_t(sewing.NbContigousEdges());
     m_number_of_free_edges += std::size_t(sewing.NbFreeEdges());
   }
