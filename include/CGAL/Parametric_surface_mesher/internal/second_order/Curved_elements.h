@@ -37,9 +37,11 @@ public:
     Point_3 straight, curved; // its node, if it is straight and if it is curved
     int quarters = 4;         // how much it is curved
 
+    bool is_curved_less() const { return quarters < 4; }
+
     Point_3 node() const
     {
-      return quarters == 4 ? curved : straight + 0.25 * quarters * (curved - straight);
+      return is_curved_less() ? straight + 0.25 * quarters * (curved - straight) : curved;
     }
   };
 
