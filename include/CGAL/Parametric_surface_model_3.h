@@ -55,6 +55,8 @@ public:
   typedef Domain_curve_2<Geom_traits> Curve;
   typedef Space_curve_3<Geom_traits> Space_curve;
 
+  static constexpr std::size_t no_face = std::size_t(-1); ///< in place of the index of a face
+
   /// an edge between two vertices.
   struct Edge
   {
@@ -88,6 +90,9 @@ public:
     /// Faces of one shell are joined along an edge that two of them use; those of different shells are not, and an edge
     /// with three or more uses in one shell is a border of each of its faces. So the mesh of a shell is always manifold.
     std::size_t shell = 0;
+    /// The index of a face before this one that has the same surface, the same loops and another shell, if this is the other side of it, as where two
+    /// solids touch. It is meshed with that face, by the sizes of that one, and has the same triangles, turned over.
+    std::size_t other_side_of = no_face;
     double max_edge = 0; ///< the wanted edge length, if that is less than the criteria's; 0 if the face has no own one
     /// wanted edge lengths at the parameters `(u,v)`, if there is such a field, in place of that of the criteria
     std::function<double(double u, double v)> sizing_field = nullptr;

@@ -27,7 +27,7 @@ in the domain. The shape is not changed.
 
 - Seams, degenerated edges, reversed faces, and locations are respected. The faces of each shell become a shell of
 the model; faces outside of shells become one shell together, without those that are in a shell, too. A face between two solids is in
-both of their shells.
+both of their shells: the second time as the other side of the first (`Parametric_surface_model_3::Face::other_side_of`).
 - Faces of a shell are reversed where neighbours do not face to the same side. Where this is not possible, as on a Moebius
 strip, the shell is open, and the edges are listed in `Open_cascade_model_3::turned_edges`.
 - Vertices and edges are trusted within their tolerances. The distances between curves in domains and their edges are

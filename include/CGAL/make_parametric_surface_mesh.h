@@ -23,6 +23,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Criteria_with_own.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/model_of_patch.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/shells_of_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Face_graph_filler.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Output_maps.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Places_in_mesh.h>
@@ -130,8 +131,8 @@ Criteria_with_own<Criterion> with_own_criterion(const Parametric_surface_mesh_cr
 template <class ConcurrencyTag, class Model, class NamedParameters, class Numbering, class Finish>
 Parametric_surface_mesh_report mesh_model(const Model& model, Bad_faces& bad_faces,
                                           const Parametric_surface_mesh_criteria& given_criteria,
-                                          const NamedParameters& np, bool keeps_domain_points, bool keeps_corner_points, Numbering number_points,
-                                          Finish finish)
+                                          const NamedParameters& np, bool keeps_domain_points, bool keeps_corner_points,
+                                          bool has_other_sides, Numbering number_points, Finish finish)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -147,6 +148,7 @@ Parametric_surface_mesh_report mesh_model(const Model& model, Bad_faces& bad_fac
   auto division = mesher.divide();
   Indexed_mesh<Kernel> mesh;
   mesh.keeps_domain_points = keeps_domain_points;
+  mesh.has_other_sides = has_other_sides;
   mesh.keeps_corner_points = keeps_corner_points || given_criteria.detail();
   mesher.template mesh_faces<ConcurrencyTag>(division, number_points, mesh);
   Phase_timer timer(report.seconds.output);
@@ -163,7 +165,7 @@ Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& mo
                                                const NamedParameters& np, Numbering number_points)
 {
   return mesh_model<ConcurrencyTag>(model, bad_faces, criteria, np, wants_domain_points<NamedParameters>(),
-                                    wants_corner_points<NamedParameters>(), number_points,
+                                    wants_corner_points<NamedParameters>(), true, number_points,
                                     [&](const auto& division, const auto& meeting_points, auto& mesh) {
                                       separate_pieces<ConcurrencyTag>(mesh, shells(model), meeting_points);
                                       output<ConcurrencyTag>(division, mesh, tm, np);

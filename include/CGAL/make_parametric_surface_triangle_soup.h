@@ -51,7 +51,9 @@ void fill_triangle_soup(const Indexed_mesh<Kernel>& mesh, std::vector<Point_3>& 
 \ingroup PkgParametricSurfaceMesherFunctions
 
 meshes a model as `make_parametric_surface_mesh()` does, into triangles that share points: any number of them may meet in
-an edge, so that a model with edges of three or more faces, or of several shells, is meshed without being cut.
+an edge, so that a model with edges of three or more faces, or of several shells, is meshed without being cut. A face that is the other
+side of another one (see `Parametric_surface_model_3::Face::other_side_of`) has no triangles of its own: those of that face, turned over,
+are its triangles, too.
 
 \tparam Surface a model of `ParametricSurface_3`
 \tparam Point_3 the point type of the surfaces
@@ -86,7 +88,7 @@ make_parametric_surface_triangle_soup(const Parametric_surface_model_3<Surface>&
   if constexpr(check_surface<Surface, typename Surface::Geom_traits>()
                && check_options<Parametric_surface_mesh_criteria, NamedParameters>())
     return with_good_faces(model, leaves_out_bad_faces(np), [&](const auto& checked_model, Bad_faces& bad_faces) {
-      return mesh_model<ConcurrencyTag>(checked_model, bad_faces, criteria, np, false, false,
+      return mesh_model<ConcurrencyTag>(checked_model, bad_faces, criteria, np, false, false, false,
                                         [](auto& division) { division.number_vertices_first(); },
                                         [&](const auto&, const auto&, const auto& mesh) {
                                           fill_triangle_soup<ConcurrencyTag>(mesh, points, triangles, patch_ids);

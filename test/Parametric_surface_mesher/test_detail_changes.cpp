@@ -33,7 +33,7 @@ Complex make_complex(const std::vector<Point_3>& points, const std::vector<std::
   for(const Point_3& p : points)
     result.add_vertex({p, 2, 0, false});
   for(const auto& t : triangles) {
-    Complex::Triangle triangle{t, {}, 0, 0, 0};
+    Complex::Triangle triangle{t, {}, 0, {0, Complex::none}, 0};
     for(std::size_t i = 0; i < 3; ++i)
       triangle.uv[i] = {points[t[i]].x(), points[t[i]].y()};
     result.add_triangle(triangle);

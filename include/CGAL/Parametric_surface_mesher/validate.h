@@ -40,6 +40,7 @@ class Model_validation
   typedef typename Model::Edge Edge;
   typedef typename Model::Edge_use Edge_use;
   typedef typename Model::Face Face;
+  typedef typename Model::Loop Loop;
   typedef typename Model::Point_3 Point_3;
   typedef Model_uses<Model> Uses;
 
@@ -78,11 +79,13 @@ public:
   template <class OnError>
   void check_loops(const OnError& on_error) const
   {
+    std::set<std::size_t> faces_with_other_side;
     for(std::size_t f = 0; f < m_model.faces().size(); ++f)
       check_face(f, on_error, [&] {
         check_length("wanted edge length", m_model.faces()[f].max_edge, numbered("face", f));
         for(std::size_t l = 0; l < number_of_loops(f); ++l)
           check_loop(f, l);
+        check_other_side(f, faces_with_other_side);
       });
   }
 
@@ -192,6 +195,35 @@ private:
   }
 
   // One use ends where the next one begins, at the same vertex and in the domain.
+  // `fronts`: takes the faces that have an other side
+  void check_other_side(std::size_t f, std::set<std::size_t>& fronts) const
+  {
+    const auto& face = m_model.faces()[f];
+    const std::size_t front = face.other_side_of;
+    if(front == Model::no_face)
+      return;
+    const std::string place = numbered("face", f) + " is to be the other side of ";
+    if(!(front < f))
+      throw Parametric_surface_mesh_error(place + "a face that does not come before it, with the index " + std::to_string(front));
+    const auto& other = m_model.faces()[front];
+    const std::string name = numbered("face", front);
+    if(other.other_side_of != Model::no_face || !fronts.insert(front).second)
+      throw Parametric_surface_mesh_error(place + name + ", which is or has an other side already");
+    if(face.shell == other.shell || face.is_reversed == other.is_reversed)
+      throw Parametric_surface_mesh_error(place + name + ", but " + (face.shell == other.shell ? "is in the same shell" : "faces to the same side"));
+    if(!other.loops.empty() && !have_same_uses(face.loops, other.loops)) // else it is left out
+      throw Parametric_surface_mesh_error(place + name + ", but has other loops");
+  }
+
+  static bool have_same_uses(const std::vector<Loop>& loops, const std::vector<Loop>& others)
+  {
+    return std::equal(loops.begin(), loops.end(), others.begin(), others.end(), [](const Loop& loop, const Loop& other) {
+      return std::equal(loop.begin(), loop.end(), other.begin(), other.end(), [](const Edge_use& use, const Edge_use& other_use) {
+        return use.edge == other_use.edge && use.is_reversed == other_use.is_reversed;
+      });
+    });
+  }
+
   void check_joint(const Edge_use& use, const Edge_use& next, const std::string& place, double tolerance) const
   {
     const std::size_t end = end_vertex(use, !use.is_reversed), begin = end_vertex(next, next.is_reversed);

@@ -58,9 +58,9 @@ public:
   // How far points have moved already, by their places: no place changes.
   typedef std::map<typename Kernel::Point_3, Displacement> Moves;
 
-  // `faces`: numbered over all parts, in ascending order. `shells`: by patch
+  // `faces`: numbered over all parts, in ascending order. `shells`: by patch, on both sides
   // \pre the parts have no place in the mesh yet
-  Complex_in_mesh(Mesh& mesh, const std::vector<Index>& shells, const Moves& moves, const std::vector<Index>& faces)
+  Complex_in_mesh(Mesh& mesh, const std::vector<std::array<Index, 2>>& shells, const Moves& moves, const std::vector<Index>& faces)
     : m_mesh(mesh)
   {
     const std::vector<unsigned char> levels = this->levels(faces);
@@ -177,7 +177,7 @@ private:
     }
   }
 
-  void add_triangle(Index p, Index f, const std::vector<Index>& shells, const std::vector<Index>& vertices)
+  void add_triangle(Index p, Index f, const std::vector<std::array<Index, 2>>& shells, const std::vector<Index>& vertices)
   {
     const Part& part = m_mesh.parts[p];
     Triangle triangle{{}, part.corner_points[f], part.patch, shells[part.patch], p};

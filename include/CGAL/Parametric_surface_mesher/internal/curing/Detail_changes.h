@@ -250,11 +250,11 @@ private:
   {
     for(Index t : m_complex.vertex(a).triangles) {
       const Triangle& triangle = m_complex.triangle(t);
-      if(triangle.shell != shell || triangle.has(b))
+      if(!triangle.is_in(shell) || triangle.has(b))
         continue;
       const std::size_t i = triangle.corner(a);
       for(Index other : m_complex.triangles_at(triangle.vertices[(i + 1) % 3], triangle.vertices[(i + 2) % 3]))
-        if(m_complex.triangle(other).shell == shell && m_complex.triangle(other).has(b))
+        if(m_complex.triangle(other).is_in(shell) && m_complex.triangle(other).has(b))
           return true;
     }
     return false;
@@ -297,7 +297,7 @@ private:
       int number_of_triangles = 0, number_with_vertex = 0;
       for(Index t : m_complex.triangles_at(a, b)) {
         const Triangle& triangle = m_complex.triangle(t);
-        if(triangle.shell != shell)
+        if(!triangle.is_in(shell))
           continue;
         ++number_of_triangles;
         if(triangle.has(c))

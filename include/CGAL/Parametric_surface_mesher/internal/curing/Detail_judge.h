@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -109,10 +110,10 @@ public:
     std::vector<Sheet> kept, added;
     for(Index t : m_complex.vertex(change.survivor).triangles)
       if(std::find(change.removed.begin(), change.removed.end(), t) == change.removed.end())
-        kept.push_back(sheet(m_complex.triangle(t)));
+        append_sheets(m_complex.triangle(t), kept);
     for(const Triangle& triangle : change.added)
       if(triangle.has(change.survivor))
-        added.push_back(sheet(triangle));
+        append_sheets(triangle, added);
     return are_opposite(kept, added) && !are_opposite(kept, kept) && !are_opposite(added, added);
   }
 
@@ -142,7 +143,14 @@ private:
     Vector_3 normal;
   };
 
-  Sheet sheet(const Triangle& triangle) const { return {triangle.shell, surface_normal(triangle)}; }
+  // with the normals that point out of the shells
+  void append_sheets(const Triangle& triangle, std::vector<Sheet>& sheets) const
+  {
+    const Vector_3 normal = surface_normal(triangle);
+    sheets.push_back({triangle.shells[0], normal});
+    if(triangle.shells[1] != Complex::none)
+      sheets.push_back({triangle.shells[1], -normal});
+  }
 
   static bool are_opposite(const std::vector<Sheet>& a, const std::vector<Sheet>& b)
   {
@@ -164,8 +172,10 @@ private:
     if(from_surface.squared_length() > 0)
       quality.cosine_of_tilt = (std::min)(quality.cosine_of_tilt, normal * from_surface);
     for(std::size_t i = 0; i < 3; ++i)
-      for(Index other : neighbors(t, i))
-        quality.cosine_of_fold = (std::max)(quality.cosine_of_fold, -(normal * unit(this->normal(other))));
+      for(Index shell : m_complex.triangle(t).shells)
+        if(const auto other = neighbor(t, i, shell))
+          quality.cosine_of_fold
+            = (std::max)(quality.cosine_of_fold, -(side(t, shell) * side(*other, shell) * (normal * unit(this->normal(*other)))));
     quality.squared_distance = (std::max)(quality.squared_distance, squared_distance_of_surface(t));
   }
 
@@ -175,16 +185,20 @@ private:
            && m_complex.is_on_patch_border(t, (i + 2) % 3);
   }
 
-  // The triangles across a side where two triangles of a shell meet.
-  std::vector<Index> neighbors(Index t, std::size_t i) const
+  // 1 if a triangle of a shell faces out of it, else -1
+  int side(Index t, Index shell) const { return m_complex.triangle(t).shells[0] == shell ? 1 : -1; }
+
+  // The triangle across a side, if two triangles of the shell meet there.
+  std::optional<Index> neighbor(Index t, std::size_t i, Index shell) const
   {
     const Triangle& triangle = m_complex.triangle(t);
-    std::vector<Index> result;
+    std::optional<Index> result;
     for(Index other : m_complex.triangles_at(triangle.vertices[i], triangle.vertices[(i + 1) % 3]))
-      if(other != t && m_complex.triangle(other).shell == triangle.shell)
-        result.push_back(other);
-    if(result.size() > 1)
-      result.clear();
+      if(other != t && m_complex.triangle(other).is_in(shell)) {
+        if(result)
+          return std::nullopt;
+        result = other;
+      }
     return result;
   }
 

@@ -19,6 +19,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -46,7 +47,7 @@ class Mesh_curing
   Mesh& m_mesh;
   const Parametric_surface_mesh_criteria& m_criteria;
   const std::vector<Surface>& m_surfaces; // by patch, and so are the next two
-  std::vector<Index> m_shells;
+  std::vector<std::array<Index, 2>> m_shells;
   std::vector<bool> m_are_reversed;
   std::vector<Index> m_meeting_points;
   typename Region::Moves m_moves;
@@ -55,9 +56,9 @@ class Mesh_curing
   Parametric_surface_mesh_report& m_report;
 
 public:
-  // `meeting_points`: those at which several pieces of the mesh may meet
+  // `shells`: by face, on both sides. `meeting_points`: those at which several pieces of the mesh may meet
   Mesh_curing(Mesh& mesh, const Parametric_surface_mesh_criteria& criteria, const std::vector<Surface>& surfaces,
-              std::vector<Index> shells, std::vector<bool> are_reversed, std::vector<Index> meeting_points,
+              std::vector<std::array<Index, 2>> shells, std::vector<bool> are_reversed, std::vector<Index> meeting_points,
               Parametric_surface_mesh_report& report)
     : m_mesh(mesh), m_criteria(criteria), m_surfaces(surfaces), m_shells(std::move(shells)),
       m_are_reversed(std::move(are_reversed)), m_meeting_points(std::move(meeting_points)),

@@ -48,13 +48,16 @@ public:
   {
     std::array<Index, 3> vertices;
     std::array<Point_2, 3> uv; // the corners in the domain of the patch
-    Index patch, shell;
+    Index patch;
+    std::array<Index, 2> shells; // the one that it is the outside of, and one that it is the inside of, or none
     Index part;                // the part of the mesh that it belongs to
     Index replaced = none;     // the triangle whose place it has taken, alone or with others
     bool is_removed = false;
 
     std::size_t corner(Index v) const { return std::size_t(std::find(vertices.begin(), vertices.end(), v) - vertices.begin()); }
     bool has(Index v) const { return corner(v) < 3; }
+    bool is_in(Index shell) const { return shell != none && (shell == shells[0] || shell == shells[1]); }
+    bool is_in_shell_of(const Triangle& other) const { return is_in(other.shells[0]) || is_in(other.shells[1]); }
   };
 
   // What takes the place of some triangles.
@@ -111,7 +114,9 @@ public:
   {
     std::vector<Index> result;
     for(Index t : m_vertices[v].triangles)
-      result.push_back(m_triangles[t].shell);
+      for(Index shell : m_triangles[t].shells)
+        if(shell != none)
+          result.push_back(shell);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
@@ -121,7 +126,7 @@ public:
   {
     Neighbors result;
     for(Index t : m_vertices[v].triangles)
-      if(m_triangles[t].shell == shell)
+      if(m_triangles[t].is_in(shell))
         for(Index w : m_triangles[t].vertices)
           if(w != v)
             ++result[w];
@@ -134,7 +139,7 @@ public:
     const Triangle& triangle = m_triangles[t];
     std::size_t number = 0;
     for(Index other : m_vertices[triangle.vertices[corner]].triangles)
-      if(other != t && m_triangles[other].shell == triangle.shell && m_triangles[other].has(triangle.vertices[(corner + 1) % 3])) {
+      if(other != t && m_triangles[other].is_in_shell_of(triangle) && m_triangles[other].has(triangle.vertices[(corner + 1) % 3])) {
         if(m_triangles[other].patch != triangle.patch)
           return true;
         ++number;

@@ -21,25 +21,29 @@
 #include <CGAL/Parametric_surface_mesher/internal/driver/Faces_of_points.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/append_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/is_turned_by_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/make_oracles.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/curve_box.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/Other_sides.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/shells_of_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/append_division.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/append_other_sides.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/for_each_index.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/run_jobs.h>
 #include <CGAL/Parametric_surface_mesher/internal/surfaces/are_copies_independent.h>
 #include <CGAL/Parametric_surface_model_3.h>
-#include <CGAL/Parametric_surface_oracle_3.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -59,43 +63,6 @@ inline void set_default_sizes(Parametric_surface_mesh_criteria& criteria, double
   if(criteria.min_edge() > criteria.max_edge())
     throw Parametric_surface_mesh_error("the minimum edge length " + describe(criteria.min_edge())
                                         + " is larger than the maximum edge length " + describe(criteria.max_edge()));
-}
-
-template <class Surface>
-std::vector<Surface> copy_surfaces(const Parametric_surface_model_3<Surface>& model)
-{
-  std::vector<Surface> result;
-  for(const auto& face : model.faces())
-    result.push_back(face.surface);
-  return result;
-}
-
-// The oracles of the faces of a model, which refer to `surfaces`.
-template <class Surface, class MetricField>
-std::vector<Parametric_surface_oracle_3<Surface, MetricField>>
-make_oracles(const Parametric_surface_model_3<Surface>& model, const std::vector<Surface>& surfaces, const MetricField& metric)
-{
-  std::vector<Parametric_surface_oracle_3<Surface, MetricField>> result;
-  for(std::size_t f = 0; f < surfaces.size(); ++f) {
-    const auto& face = model.faces()[f];
-    std::vector<typename Surface::Geom_traits::Point_3> singular_points;
-    for(const auto& loop : face.loops)
-      for(const auto& use : loop)
-        if(model.edges()[use.edge].is_collapsed)
-          singular_points.push_back(model.vertices()[model.edges()[use.edge].source]);
-    result.emplace_back(surfaces[f], metric, std::move(singular_points));
-  }
-  return result;
-}
-
-// The shells of the faces of a model.
-template <class Model>
-std::vector<std::size_t> shells(const Model& model)
-{
-  std::vector<std::size_t> result;
-  for(const auto& face : model.faces())
-    result.push_back(face.shell);
-  return result;
 }
 
 // From a model to its triangles: the division of the edges, then the faces, as jobs for a scheduler, then all together.
@@ -120,6 +87,7 @@ private:
   const std::vector<Oracle> m_oracles;
   std::vector<Triangulated_boundary<Oracle>> m_boundaries; // of the faces, if closeness has made them; a job takes its own
   std::vector<bool> m_are_reversed; // by face, as far as they are appended
+  std::optional<Other_sides> m_other_sides; // once the edges are divided
   Mesh_progress& m_progress;
   Bad_faces& m_bad_faces;
   Parametric_surface_mesh_report& m_report;
@@ -162,6 +130,7 @@ public:
   {
     number_points(division);
     append_division(division, mesh);
+    m_other_sides.emplace(m_model, m_bad_faces);
     std::vector<Face_job> jobs = make_jobs(division);
     const Faces_of_points faces_of_points = this->faces_of_points(jobs);
     run<ConcurrencyTag>(jobs, faces_of_points, mesh);
@@ -173,6 +142,8 @@ public:
     m_meeting_points = internal::meeting_points(division);
     if(m_criteria.detail() && !m_report.is_stopped)
       cure(mesh);
+    if(mesh.has_other_sides)
+      append_other_sides(*m_other_sides, m_are_reversed, mesh, m_report);
     mesh.template finish<ConcurrencyTag>();
     m_report.number_of_boundary_edges = division.number_of_edges();
     m_report.number_of_faces = mesh.number_of_faces();
@@ -184,12 +155,12 @@ public:
   const std::vector<std::size_t>& meeting_points() const { return m_meeting_points; }
 
 private:
-  // of the faces that are not left out, in their order
+  // of the faces that are not left out, in their order, without those that are the other sides of others
   std::vector<Face_job> make_jobs(const Division& division) const
   {
     std::vector<Face_job> result;
     for(std::size_t f = 0; f < m_model.faces().size(); ++f)
-      if(!m_model.faces()[f].loops.empty() && !m_bad_faces.contains(f))
+      if(!m_model.faces()[f].loops.empty() && !m_bad_faces.contains(f) && m_other_sides->front(f) == Other_sides::none)
         result.emplace_back(f, division.boundary_loops(f), !are_copies_independent(m_model.faces()[f].surface));
     return result;
   }
@@ -298,12 +269,21 @@ private:
   // with another face, or an edge of the division
   bool may_have_common_chord(const Face_job& job, const Faces_of_points& faces_of_points, const Mesh& mesh) const
   {
-    const auto division = mesh.chords.find(m_model.faces()[job.face()].shell);
-    return (division != mesh.chords.end() && job.has_chord_among(division->second))
+    return has_chord_among_those_of(m_model.faces()[job.face()].shell, job, mesh)
+           || (back(job) != Other_sides::none && has_chord_among_those_of(m_model.faces()[back(job)].shell, job, mesh))
            || std::any_of(job.chords().begin(), job.chords().end(), [&](const auto& chord) {
                 return faces_of_points.have_other_common_face(chord.first, chord.second, job.face());
               });
   }
+
+  static bool has_chord_among_those_of(std::size_t shell, const Face_job& job, const Mesh& mesh)
+  {
+    const auto chords = mesh.chords.find(shell);
+    return chords != mesh.chords.end() && job.has_chord_among(chords->second);
+  }
+
+  // the other side of the face of a job, or none
+  std::size_t back(const Face_job& job) const { return m_other_sides->back(job.face()); }
 
   // Sees to the jobs that are not collected, in their order.
   template <class ConcurrencyTag>
@@ -311,13 +291,26 @@ private:
   {
     for(Face_job& job : jobs)
       if(!job.error && !job.is_collected())
-        call<ConcurrencyTag>(job, [&](auto, Face_job& waiting) {
-          waiting.split_common_chords(mesh.chords[m_model.faces()[waiting.face()].shell]);
-        });
+        call<ConcurrencyTag>(job, [&](auto, Face_job& waiting) { split_common_chords(waiting, mesh); });
     for_each_job<ConcurrencyTag>(jobs, [&](auto tag, Face_job& job) {
       if(!job.is_collected())
         job.template collect<decltype(tag)>(mesh);
     });
+  }
+
+  // With the other side of its face a job has two shells to look at.
+  void split_common_chords(Face_job& job, Mesh& mesh) const
+  {
+    Chords& chords = mesh.chords[m_model.faces()[job.face()].shell];
+    if(back(job) == Other_sides::none) {
+      job.split_common_chords(chords);
+      return;
+    }
+    Chords& behind = mesh.chords[m_model.faces()[back(job)].shell];
+    Chords both = chords;
+    both.insert(behind.begin(), behind.end());
+    job.split_common_chords(both);
+    chords = behind = both;
   }
 
   void leave_out_failed(std::vector<Face_job>& jobs, Division& division)
@@ -329,6 +322,9 @@ private:
         }
         catch(const Parametric_surface_mesh_error& error) {
           division.leave_out(m_bad_faces.add(error));
+          if(back(job) != Other_sides::none)
+            division.leave_out(m_bad_faces.add(Parametric_surface_mesh_error(
+              "is the other side of " + numbered("face", job.face()) + ", which cannot be meshed", back(job))));
         }
     jobs.erase(std::remove_if(jobs.begin(), jobs.end(), [](const Face_job& job) { return bool(job.error); }), jobs.end());
     m_bad_faces.check_that_some_are_good(m_model.faces().size());
@@ -348,11 +344,13 @@ private:
                                 job.result().cut_domain_points.end());
       mesh.places.resize(mesh.points.size(), {2, job.face(), Place_in_model::none});
       const auto& face = m_model.faces()[job.face()];
-      const bool is_reversed = face.is_reversed != is_turned_by_division(face, job.loops());
+      const bool is_turned = is_turned_by_division(face, job.loops()), is_reversed = face.is_reversed != is_turned;
+      m_are_reversed[job.face()] = is_reversed;
+      if(back(job) != Other_sides::none)
+        m_are_reversed[back(job)] = m_model.faces()[back(job)].is_reversed != is_turned;
       for(auto& part : job.result().parts) {
         part.mesh.patch = job.face();
         part.mesh.place_of_cuts = place_of_cuts;
-        m_are_reversed[job.face()] = is_reversed;
         if(is_reversed)
           part.mesh.reverse();
         append_report(part.report, mesh.number_of_faces(), m_report);
@@ -366,8 +364,8 @@ private:
     Phase_timer timer(m_report.seconds.improvement);
     Patch_progress progress(m_progress);
     progress.on_phase("curing");
-    Mesh_curing<Kernel, typename Model::Surface_3> curing(mesh, m_criteria, m_surfaces, shells(m_model), m_are_reversed,
-                                                          m_meeting_points, m_report);
+    Mesh_curing<Kernel, typename Model::Surface_3> curing(
+      mesh, m_criteria, m_surfaces, shells_on_both_sides(m_model, *m_other_sides), m_are_reversed, m_meeting_points, m_report);
     curing([&] { return progress.go_further(); });
     m_meeting_points = curing.meeting_points();
     m_report.is_stopped = m_progress.is_stopped();

@@ -57,6 +57,8 @@ class Shape_model_builder
   std::vector<Unit_range> m_ranges; // by edge of the shape: the part of its curve that is used
   std::vector<Edge_place> m_places; // by edge of the shape
   std::set<std::size_t> m_closed_up; // by indices in the shape
+  std::map<std::size_t, std::size_t> m_fronts; // the first faces of the model, by indices in the shape
+  std::set<std::size_t> m_backs; // faces of the shape whose other side is in the model, too
 
 public:
   explicit Shape_model_builder(const TopoDS_Shape& shape)
@@ -282,6 +284,9 @@ private:
       Model::Face result = guarded(build);
       result.is_reversed = face.Orientation() == TopAbs_REVERSED;
       result.shell = shell;
+      const auto front = m_fronts.emplace(number, model().faces().size());
+      if(!front.second && model().faces()[front.first->second].shell != shell && m_backs.insert(number).second)
+        result.other_side_of = front.first->second;
       model().add_face(std::move(result));
       m_result.shape_faces.push_back(number);
     }
@@ -310,6 +315,9 @@ private:
       }
     for(std::size_t e : turned_edges)
       model().edges()[e].allows_turned_faces = true;
+    for(auto& face : model().faces())
+      if(face.other_side_of != Model::no_face && face.is_reversed == model().faces()[face.other_side_of].is_reversed)
+        face.other_side_of = Model::no_face; // neither of them is the other side
     m_result.turned_edges.assign(turned_edges.begin(), turned_edges.end());
     for(std::size_t f = 0; f < before.size(); ++f)
       m_result.number_of_reversed_faces += model().faces()[f].is_reversed != before[f];

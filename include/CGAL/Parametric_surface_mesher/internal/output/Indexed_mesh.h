@@ -45,6 +45,7 @@ struct Indexed_mesh
 
   bool keeps_domain_points = false; // whether inner vertices keep them
   bool keeps_corner_points = false;
+  bool has_other_sides = false; // whether faces that are the other sides of others have triangles of their own
 
 private:
   std::size_t m_number_of_own_points = 0, m_number_of_faces = 0, m_number_of_edges = 0; // sums over all parts
