@@ -30,7 +30,7 @@ struct Mesh_cad_options
   double sewing_tolerance = -1; // 0 for never, below 0 if not given
   Size_spheres spheres;         // from `sphere_list`
   boost::optional<unsigned int> sweeps;
-  unsigned int threads = 1;
+  unsigned int threads = 1, order = 1;
   std::set<std::size_t> faces;                                 // from `face_list`; empty for all
   std::map<std::size_t, double> max_edge_of_face, max_edge_of_edge; // from the lists of sizes
   bool is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_list_wanted = false;
@@ -72,6 +72,9 @@ const char* const conclusion =
   "  closed, shape_closed           whether the mesh, and the shape, has no border\n"
   "  distance                       the largest distance measured from surfaces and edges to the mesh\n"
   "  distance_over_diagonal         the same as a share of the diagonal of the shape's bounding box\n"
+  "  second_order                   of six-node triangles: their smallest scaled Jacobian (1: straight,\n"
+  "                                 0: folded), those not certified, edges curved less to avoid folds,\n"
+  "                                 the largest distance of places of triangles from their surfaces\n"
   "  inner_edges                    edges inside faces, which the mesh does not follow\n"
   "  repeated_faces                 faces of shells that the file has once more outside of shells\n"
   "  turned_edges                   edges at which the mesh is open since a shell cannot be oriented\n"
@@ -117,6 +120,7 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("sew", number(o.sewing_tolerance), "join edges of different faces that are at most this far apart; IGES files are sewn by default, 0 turns this off (IGES: 0.00001 of the diagonal, others: 0)")
     ("heal", po::bool_switch(&o.is_healing_wanted), "let Open CASCADE repair the shape first (ShapeFix_Shape)");
   po::options_description output("Output", 92);
+  mesh_patch::add_order(output, o.order);
   output.add_options()
     ("list", po::bool_switch(&o.is_list_wanted), "print the parts of the assembly, their sizes, and what has names, and stop; --json writes them")
     ("out", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh or .inp")
@@ -186,6 +190,7 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
   if(given.count("sew") != 0 && !(o.sewing_tolerance >= 0 && std::isfinite(o.sewing_tolerance)))
     throw Usage_error("--sew: the distance must be a finite number, at least 0");
   mesh_patch::check_sweeps(o.sweeps);
+  mesh_patch::check_order(o.order);
   if(o.threads == 0 || o.threads > 1024)
     throw Usage_error("--threads: the number must be at least 1 and at most 1024");
 #ifndef CGAL_LINKED_WITH_TBB

@@ -32,6 +32,22 @@ inline std::string title(const Mesh_cad_options& options)
   return options.input.substr(options.input.find_last_of('/') + 1);
 }
 
+// They come after the vertices, in the order of the edges.
+inline void add_mid_side_nodes(const Cad_mesh& curved, Elements& elements)
+{
+  const auto& mesh = curved.mesh;
+  const std::size_t first = elements.points.size();
+  for(const auto e : mesh.edges()) {
+    const auto& p = curved.mid_side_nodes[e];
+    elements.points.push_back({p.x(), p.y(), p.z()});
+  }
+  for(const auto face : mesh.faces()) {
+    const auto h = mesh.halfedge(face);
+    const auto node = [&](auto side) { return first + std::size_t(mesh.edge(side)); };
+    elements.mid_side_nodes.push_back({node(h), node(mesh.next(h)), node(mesh.prev(h))});
+  }
+}
+
 inline Elements elements(const Mesh_cad_result& result)
 {
   Elements elements;
@@ -40,6 +56,8 @@ inline Elements elements(const Mesh_cad_result& result)
   elements.triangles = std::move(arrays.second);
   for(const auto face : result.mesh.mesh.faces())
     elements.face_ids.push_back(result.shape.shape_faces[result.mesh.patch[face]] + 1);
+  if(result.second_order)
+    add_mid_side_nodes(result.mesh, elements);
   return elements;
 }
 
@@ -180,8 +198,10 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"unmet_by", mesh_patch::json_of_unmet(result.report)},
           {"unjudged", result.report.number_of_unjudged_faces},
           {"work_limits", result.report.number_of_work_limits},
+          {"order", result.second_order ? 2 : 1},
           {"seconds", {{"reading", result.reading_seconds}, {"model", result.model_seconds},
-                       {"meshing", result.meshing_seconds}, {"measuring", result.measuring_seconds}}},
+                       {"meshing", result.meshing_seconds}, {"second_order", result.second_order_seconds},
+                       {"measuring", result.measuring_seconds}}},
           {"meshing_phases", {{"division", s.division}, {"triangulation", s.triangulation}, {"refinement", s.refinement},
                               {"improvement", s.improvement}, {"output", s.output}}}};
 }
@@ -198,6 +218,8 @@ inline void write_json(std::ostream& out, const Mesh_cad_options& options, const
   json.update(json_of_shape(result));
   json.update(json_of_names(result.names));
   json.update(json_of_mesh(result));
+  if(result.second_order)
+    json["second_order"] = mesh_patch::json_of_second_order(*result.second_order);
   write_json(out, json);
 }
 
@@ -212,6 +234,8 @@ inline Output_files output_files(const Mesh_cad_options& o, const Mesh_cad_resul
     mesh_patch::check_ending(option, name, endings);
     files.add(name, std::move(write));
   };
+  if(o.order == 2 && !o.out.empty())
+    mesh_patch::check_ending("order 2 --out", o.out, {".vtu", ".msh", ".inp"});
   add("out", o.out, {".off", ".obj", ".ply", ".stl", ".vtu", ".msh", ".inp"},
       [&](std::ostream& out) { write_result(out, o.out, result); });
   add("picture", o.picture, {".svg"}, [&](std::ostream& out) { write_picture(out, o, result); });
@@ -323,6 +347,8 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
         << mesh_patch::plural(m.sliver_faces.size(), "sliver face") << "\n";
   out << "  distance from the shape: at most " << m.distance << " (" << m.distance / result.shape.diagonal
       << " of its diagonal)\n";
+  if(result.second_order)
+    mesh_patch::print_second_order(out, *result.second_order);
   mesh_patch::print_unmet(out, result.report);
   out << "  " << result.meshing_seconds << " s for meshing (reading " << result.reading_seconds << ", model "
       << result.model_seconds << ", measuring " << result.measuring_seconds << ")\n";

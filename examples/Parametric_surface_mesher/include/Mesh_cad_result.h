@@ -8,6 +8,7 @@
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_parts.h"
 #include "Progress_line.h"
+#include "Second_order_measures.h"
 #include "measure_cad_mesh.h"
 #include "unit_of_length.h"
 
@@ -55,11 +56,12 @@ struct Mesh_cad_result
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
   Cad_mesh_measures measures;
+  boost::optional<Second_order_measures> second_order;
   CGAL::Open_cascade_names_3 names;
   std::vector<std::string> file_faults; // what the file contains and the shape lacks
   std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
   std::size_t number_of_sewn_edges = 0, number_of_lost_faces = 0; // joined and lost by sewing
-  double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, measuring_seconds = 0;
+  double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, second_order_seconds = 0, measuring_seconds = 0;
 };
 
 namespace mesh_cad {
@@ -276,7 +278,9 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
   }
   Progress_line progress(options.is_quiet);
   const auto np = parameters::halfedge_uv_map(
-    result.mesh.uv, parameters::face_patch_id_map(result.mesh.patch, parameters::leaves_out_bad_faces(true).visitor(std::ref(progress))));
+    result.mesh.uv, parameters::face_patch_id_map(
+      result.mesh.patch, parameters::edge_place_map(
+        result.mesh.edge_place, parameters::leaves_out_bad_faces(true).visitor(std::ref(progress)))));
 #ifdef CGAL_LINKED_WITH_TBB
   if(options.threads > 1) {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, options.threads);
@@ -328,6 +332,12 @@ inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& res
   result.criteria = make_criteria(options, result.shape.diagonal);
   check_sizes(options, result.criteria, unit);
   result.meshing_seconds = seconds_of([&] { make_mesh(options, result); });
+  if(options.order == 2)
+    result.second_order_seconds = seconds_of([&] {
+      result.mesh.mid_side_nodes = result.mesh.mesh.add_property_map<Cad_mesh::Mesh::Edge_index, Kernel::Point_3>("e:node").first;
+      result.second_order
+        = mesh_patch::make_and_measure_nodes(result.shape.model, result.mesh.mesh, result.mesh.mid_side_nodes, result.mesh.places());
+    });
   result.measuring_seconds = seconds_of([&] {
     result.measures = measure(result.mesh, result.shape, result.criteria.min_edge());
     scale_lengths(1 / unit, result);

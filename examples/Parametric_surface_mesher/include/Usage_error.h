@@ -81,6 +81,20 @@ inline void check_sweeps(const boost::optional<unsigned int>& number)
     throw Usage_error("--sweeps: the number must be at least 0 and at most 1000");
 }
 
+// Adds the option --order, and checks it afterwards.
+inline void add_order(po::options_description& options, unsigned int& order)
+{
+  options.add_options()
+    ("order", po::value<unsigned int>(&order)->value_name("N"),
+     "order of the elements: 1, or 2 for six-node triangles with nodes on the curves and surfaces, proved not to be folded (1)");
+}
+
+inline void check_order(unsigned int order)
+{
+  if(order != 1 && order != 2)
+    throw Usage_error("--order: the order must be 1 or 2");
+}
+
 } // namespace mesh_patch
 
 #endif // USAGE_ERROR_H

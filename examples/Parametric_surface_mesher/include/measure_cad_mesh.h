@@ -10,6 +10,8 @@
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Parametric_surface_mesh_parameters.h>
+#include <CGAL/Parametric_surface_mesher/Model_places.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <CGAL/Open_cascade_model_3.h>
@@ -24,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-// A mesh with the face of the model that each triangle lies on, and its corners in the domain of that face.
+// A mesh with the face of the model that each triangle lies on, its corners in the domain of that face, and the pieces of edges.
 struct Cad_mesh
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
@@ -34,6 +36,16 @@ struct Cad_mesh
   Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv
     = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   Mesh::Property_map<Mesh::Face_index, std::size_t> patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
+  Mesh::Property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place> edge_place
+    = mesh.add_property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place>("e:place").first;
+  Mesh::Property_map<Mesh::Edge_index, Kernel::Point_3> mid_side_nodes; // there are some if the elements are of second order
+
+  // Where its elements lie in the model, as named parameters.
+  auto places() const
+  {
+    namespace parameters = CGAL::parameters;
+    return parameters::halfedge_uv_map(uv, parameters::face_patch_id_map(patch, parameters::edge_place_map(edge_place)));
+  }
 };
 
 struct Cad_mesh_measures

@@ -52,9 +52,13 @@ void scale_lengths(double factor, Result& result)
 {
   if(factor == 1)
     return;
-  for(const auto v : result.mesh.mesh.vertices()) {
-    auto& p = result.mesh.mesh.point(v);
-    p = typename std::decay<decltype(p)>::type(factor * p.x(), factor * p.y(), factor * p.z());
+  const auto scale = [factor](auto& p) { p = std::decay_t<decltype(p)>(factor * p.x(), factor * p.y(), factor * p.z()); };
+  for(const auto v : result.mesh.mesh.vertices())
+    scale(result.mesh.mesh.point(v));
+  if(result.second_order) {
+    for(const auto e : result.mesh.mesh.edges())
+      scale(result.mesh.mid_side_nodes[e]);
+    result.second_order->distance *= factor;
   }
   scale_lengths(factor, result.names);
   for(double* length : {&result.measures.distance, &result.shape.diagonal, &result.shape.largest_gap, &result.report.max_edge,
