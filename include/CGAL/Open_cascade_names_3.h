@@ -75,6 +75,8 @@ struct Open_cascade_names_3
 
   /// for each face the smallest part that it belongs to, or `none`; the first one if there are several.
   std::vector<std::size_t> parts_of_faces() const { return parts_of(face_names.size(), &Part::faces); }
+  /// for each solid the smallest part that it belongs to, or `none`; the first one if there are several.
+  std::vector<std::size_t> parts_of_solids() const { return parts_of(solid_names.size(), &Part::solids); }
   /// for each shell the smallest part that it belongs to, or `none`; the first one if there are several.
   std::vector<std::size_t> parts_of_shells() const { return parts_of(shell_names.size(), &Part::shells); }
 

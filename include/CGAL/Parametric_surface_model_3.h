@@ -150,6 +150,25 @@ public:
   std::vector<Face>& faces() { return m_faces; }
   /// @}
 
+  /// removes faces: those for whose index `is_unwanted` returns `true`. The others keep their order; one that was the other side of a removed face is a face
+  /// of its own.
+  template <class Predicate>
+  void remove_faces(const Predicate& is_unwanted)
+  {
+    std::vector<std::size_t> new_indices;
+    std::vector<Face> rest;
+    for(std::size_t f = 0; f < m_faces.size(); ++f) {
+      const bool is_removed = is_unwanted(f);
+      new_indices.push_back(is_removed ? std::size_t(no_face) : rest.size());
+      if(!is_removed)
+        rest.push_back(std::move(m_faces[f]));
+    }
+    for(Face& face : rest)
+      if(face.other_side_of != no_face)
+        face.other_side_of = new_indices[face.other_side_of];
+    m_faces.swap(rest);
+  }
+
   /// gives all faces, as they are now, a sizing field in space: `field` returns the wanted edge length at a point.
   template <class Field>
   void set_sizing_field(const Field& field)

@@ -4,11 +4,14 @@
 // Solids that share faces: each of these is meshed once, and has the same triangles on both sides.
 #include "open_cascade_test_helpers.h"
 
+#include <CGAL/fuse_open_cascade_solids.h>
 #include <CGAL/make_parametric_surface_triangle_soup.h>
 
 #include <BOPAlgo_Builder.hxx>
+#include <BRep_Builder.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <gp_Ax2.hxx>
 
 #include <gtest/gtest.h>
@@ -223,4 +226,58 @@ TEST(Contacts, that_do_not_fit_are_refused)
     model.faces()[back].other_side_of = 0 == front ? 1 : 0;
     model.faces()[back].is_reversed = !model.faces()[model.faces()[back].other_side_of].is_reversed;
   });
+}
+
+// Boxes side by side, the second one higher: it has a face of which a part touches.
+TEST(Fusing, divides_faces_that_touch_in_part)
+{
+  BRep_Builder builder;
+  TopoDS_Compound assembly;
+  builder.MakeCompound(assembly);
+  builder.Add(assembly, BRepPrimAPI_MakeBox(10, 10, 10).Shape());
+  builder.Add(assembly, BRepPrimAPI_MakeBox(gp_Pnt(10, 0, 0), 10, 10, 15).Shape());
+  builder.Add(assembly, BRepPrimAPI_MakeBox(gp_Pnt(0, 10.01, 0), 5, 5, 5).Shape());
+  const auto fused = CGAL::fuse_open_cascade_solids(assembly, 0, 0.1);
+  ASSERT_EQ(1u, fused.contacts.size());
+  EXPECT_EQ(0u, fused.contacts[0].first);
+  EXPECT_EQ(1u, fused.contacts[0].second);
+  EXPECT_EQ(1u, fused.contacts[0].number_of_faces);
+  EXPECT_NEAR(100, fused.contacts[0].area, 1e-9);
+  EXPECT_TRUE(fused.overlaps.empty());
+  ASSERT_EQ(1u, fused.gaps.size());
+  EXPECT_EQ(0u, fused.gaps[0].first);
+  EXPECT_EQ(2u, fused.gaps[0].second);
+  EXPECT_NEAR(0.01, fused.gaps[0].distance, 1e-9);
+  const Meshed_shape meshed(fused.shape);
+  EXPECT_EQ(1u, backs(meshed.shape.model).size());
+  expect_same_triangles_on_both_sides(meshed);
+  EXPECT_NEAR(1000 + 1500 + 125, meshed.volume(), 1e-9);
+
+  const auto joined = CGAL::fuse_open_cascade_solids(assembly, 0.02, 0.1);
+  EXPECT_EQ(2u, joined.contacts.size());
+  EXPECT_TRUE(joined.gaps.empty());
+}
+
+TEST(Fusing, tells_of_overlaps)
+{
+  BRep_Builder builder;
+  TopoDS_Compound assembly;
+  builder.MakeCompound(assembly);
+  builder.Add(assembly, BRepPrimAPI_MakeBox(10, 10, 10).Shape());
+  builder.Add(assembly, BRepPrimAPI_MakeBox(gp_Pnt(9, 0, 0), 10, 10, 10).Shape());
+  const auto fused = CGAL::fuse_open_cascade_solids(assembly);
+  ASSERT_EQ(1u, fused.overlaps.size());
+  EXPECT_NEAR(100, fused.overlaps[0].volume, 1e-9);
+  const Meshed_shape meshed(fused.shape);
+  expect_same_triangles_on_both_sides(meshed);
+  EXPECT_NEAR(1900, meshed.volume(), 1e-9);
+}
+
+TEST(Fusing, leaves_a_single_solid_as_it_is)
+{
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+  const auto fused = CGAL::fuse_open_cascade_solids(box);
+  EXPECT_TRUE(fused.shape.IsSame(box));
+  EXPECT_TRUE(fused.history.IsNull());
+  EXPECT_THROW(CGAL::fuse_open_cascade_solids(box, -1), CGAL::Parametric_surface_mesh_error);
 }

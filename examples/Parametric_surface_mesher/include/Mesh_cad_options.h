@@ -33,7 +33,8 @@ struct Mesh_cad_options
   unsigned int threads = 1, order = 1;
   std::set<std::size_t> faces;                                 // from `face_list`; empty for all
   std::map<std::size_t, double> max_edge_of_face, max_edge_of_edge; // from the lists of sizes
-  bool is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_list_wanted = false;
+  double fuzzy = 0; // 0 for the tolerances of the file
+  bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_list_wanted = false;
 };
 
 namespace mesh_cad {
@@ -78,6 +79,8 @@ const char* const conclusion =
   "  inner_edges                    edges inside faces, which the mesh does not follow\n"
   "  repeated_faces                 faces of shells that the file has once more outside of shells\n"
   "  turned_edges                   edges at which the mesh is open since a shell cannot be oriented\n"
+  "  contacts                       with --conformal, for each two parts that touch, overlap or nearly\n"
+  "                                 touch: their names and the area, volume or distance\n"
   "  sewn_edges, lost_faces         pairs of edges joined, and faces lost, by sewing\n"
   "  file_unit                      the unit of length of the file\n"
   "  parts                          the parts of the assembly: number, name, place, solids, faces, ...\n"
@@ -118,6 +121,8 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("unit", text(o.unit, "UNIT"), "unit of lengths, of options and results: UM, MM, CM, M, KM, UIN, MIL, INCH, FT or MI (MM); BREP files have no unit")
     ("threads", po::value<unsigned int>(&o.threads)->value_name("N"), "number of threads that mesh faces (1)")
     ("sew", number(o.sewing_tolerance), "join edges of different faces that are at most this far apart; IGES files are sewn by default, 0 turns this off (IGES: 0.00001 of the diagonal, others: 0)")
+    ("conformal", po::bool_switch(&o.is_conformal), "let parts that touch share their faces there, so that their meshes fit together; contacts, overlaps and gaps between parts are listed")
+    ("fuzzy", number(o.fuzzy), "with --conformal, the distance up to which parts that do not quite touch, or overlap, are taken to touch (the tolerances of the file)")
     ("heal", po::bool_switch(&o.is_healing_wanted), "let Open CASCADE repair the shape first (ShapeFix_Shape)");
   po::options_description output("Output", 92);
   mesh_patch::add_order(output, o.order);
@@ -189,6 +194,10 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--growth: the growth must be at least 0 and below 10");
   if(given.count("sew") != 0 && !(o.sewing_tolerance >= 0 && std::isfinite(o.sewing_tolerance)))
     throw Usage_error("--sew: the distance must be a finite number, at least 0");
+  if(!(o.fuzzy >= 0 && std::isfinite(o.fuzzy)))
+    throw Usage_error("--fuzzy: the distance must be a finite number, at least 0");
+  if(given.count("fuzzy") != 0 && !o.is_conformal)
+    throw Usage_error("--fuzzy has a meaning only with --conformal");
   mesh_patch::check_sweeps(o.sweeps);
   mesh_patch::check_order(o.order);
   if(o.threads == 0 || o.threads > 1024)

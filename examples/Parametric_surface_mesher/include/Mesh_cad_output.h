@@ -159,6 +159,7 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
           {"inner_edges", inner_edges},
           {"repeated_faces", numbers_from_1(shape.repeated_faces)},
           {"turned_edges", numbers_from_1(shape.turned_edges)},
+          {"contacts", json_of_contacts(result.contacts)},
           {"sewn_edges", result.number_of_sewn_edges},
           {"lost_faces", result.number_of_lost_faces}};
 }
@@ -291,6 +292,7 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
         << " of shells are in the file once more, outside of shells, and meshed once\n";
   if(!shape.turned_edges.empty())
     out << "  a shell that cannot be oriented is open at " << mesh_patch::plural(shape.turned_edges.size(), "edge") << "\n";
+  print_contacts(out, result.contacts);
   if(result.number_of_sewn_edges > 0)
     out << "  sewing joined " << mesh_patch::plural(result.number_of_sewn_edges, "pair") << " of edges\n";
   if(result.number_of_lost_faces > 0)

@@ -5,6 +5,7 @@
 #ifndef MESH_CAD_RESULT_H
 #define MESH_CAD_RESULT_H
 
+#include "Mesh_cad_contacts.h"
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_parts.h"
 #include "Progress_line.h"
@@ -19,6 +20,7 @@
 
 #include <CGAL/IO/read_open_cascade_shape.h>
 #include <CGAL/carry_over_open_cascade_names.h>
+#include <CGAL/fuse_open_cascade_solids.h>
 #include <CGAL/make_model_of_open_cascade_shape.h>
 #include <CGAL/repair_open_cascade_shape.h>
 #include <CGAL/sew_open_cascade_shape.h>
@@ -60,6 +62,7 @@ struct Mesh_cad_result
   CGAL::Open_cascade_names_3 names;
   std::vector<std::string> file_faults; // what the file contains and the shape lacks
   std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
+  std::vector<Contact_of_parts> contacts; // with --conformal
   std::size_t number_of_sewn_edges = 0, number_of_lost_faces = 0; // joined and lost by sewing
   double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, second_order_seconds = 0, measuring_seconds = 0;
 };
@@ -98,14 +101,12 @@ inline void check_numbers(const std::string& option, std::size_t largest, std::s
 template <class ModelPredicate, class Predicate>
 void keep_faces(const ModelPredicate& is_wanted_in_model, const Predicate& is_wanted, CGAL::Open_cascade_model_3& shape)
 {
-  std::vector<CGAL::Open_cascade_model_3::Model::Face> faces;
   std::vector<std::size_t> numbers;
-  for(std::size_t f = 0; f < shape.shape_faces.size(); ++f)
-    if(is_wanted_in_model(f)) {
-      faces.push_back(std::move(shape.model.faces()[f]));
+  shape.model.remove_faces([&](std::size_t f) {
+    if(is_wanted_in_model(f))
       numbers.push_back(shape.shape_faces[f]);
-    }
-  shape.model.faces().swap(faces);
+    return !is_wanted_in_model(f);
+  });
   shape.shape_faces.swap(numbers);
   const auto keep_wanted = [&](auto& list) {
     const auto is_unwanted_face = [&](const auto& face) { return !is_wanted(face.shape_face); };
@@ -219,6 +220,16 @@ inline double sewing_tolerance(const Mesh_cad_options& options, const TopoDS_Sha
   return (ending == "iges" || ending == "igs") && !box.IsVoid() && !box.IsOpen() ? 1e-5 * std::sqrt(box.SquareExtent()) : 0;
 }
 
+// Parts that are apart by no more than this are listed.
+inline double reach_of_gaps(const Mesh_cad_options& options, const TopoDS_Shape& shape)
+{
+  const double share_of_diagonal = 1e-3, multiple_of_fuzzy = 10;
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, false);
+  const double diagonal = box.IsVoid() || box.IsOpen() ? 0 : std::sqrt(box.SquareExtent());
+  return (std::max)(share_of_diagonal * diagonal, multiple_of_fuzzy * options.fuzzy);
+}
+
 inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result& result)
 {
   const Silence silence;
@@ -236,6 +247,13 @@ inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result&
     const TopoDS_Shape repaired = CGAL::repair_open_cascade_shape(shape, history);
     result.names = CGAL::carry_over_open_cascade_names(result.names, shape, history, repaired);
     shape = repaired;
+  }
+  if(options.is_conformal) {
+    const CGAL::Fused_open_cascade_solids fused = CGAL::fuse_open_cascade_solids(shape, options.fuzzy, reach_of_gaps(options, shape));
+    result.contacts = contacts_between_parts(fused, result.names);
+    if(!fused.history.IsNull())
+      result.names = CGAL::carry_over_open_cascade_names(result.names, shape, fused.history, fused.shape);
+    shape = fused.shape;
   }
   return shape;
 }

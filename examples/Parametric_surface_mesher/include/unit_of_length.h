@@ -31,7 +31,7 @@ inline double millimetres_of(const std::string& unit)
 
 inline void scale_lengths(double factor, Mesh_cad_options& options)
 {
-  for(double* length : {&options.max_edge, &options.min_edge, &options.distance, &options.detail, &options.sewing_tolerance})
+  for(double* length : {&options.max_edge, &options.min_edge, &options.distance, &options.detail, &options.sewing_tolerance, &options.fuzzy})
     *length *= factor;
   for(auto* sizes : {&options.max_edge_of_face, &options.max_edge_of_edge})
     for(auto& size : *sizes)
@@ -69,6 +69,11 @@ void scale_lengths(double factor, Result& result)
   for(auto& gap : result.shape.gaps) {
     gap.distance *= factor;
     gap.tolerance *= factor;
+  }
+  for(auto& contact : result.contacts) {
+    contact.area *= factor * factor;
+    contact.common_volume *= factor * factor * factor;
+    contact.distance *= factor;
   }
   for(auto& detail : result.report.removed_details) {
     detail.moved *= factor;

@@ -207,7 +207,7 @@ private:
 };
 
 // What stands in the model for an edge of the shape.
-struct Edge_place
+struct Edge_replacement
 {
   bool is_point;               // whether a vertex stands for it
   Edge_merging::Pieces pieces; // none if the edge stands for itself

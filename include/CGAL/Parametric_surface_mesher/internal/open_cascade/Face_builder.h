@@ -63,7 +63,7 @@ class Face_builder
 
   Open_cascade_model_3& m_result;
   const TopTools_IndexedMapOfShape& m_edges;
-  const std::vector<Edge_place>& m_places; // by edge of the shape
+  const std::vector<Edge_replacement>& m_places; // by edge of the shape
   const std::vector<double>& m_vertex_tolerances;
   TopoDS_Face m_face; // with forward orientation
   std::size_t m_number;
@@ -73,7 +73,7 @@ class Face_builder
 
 public:
   Face_builder(Open_cascade_model_3& result, const TopTools_IndexedMapOfShape& edges,
-               const std::vector<Edge_place>& places, const std::vector<double>& vertex_tolerances, const TopoDS_Face& face,
+               const std::vector<Edge_replacement>& places, const std::vector<double>& vertex_tolerances, const TopoDS_Face& face,
                std::size_t number)
     : m_result(result), m_edges(edges), m_places(places), m_vertex_tolerances(vertex_tolerances),
       m_face(TopoDS::Face(face.Oriented(TopAbs_FORWARD))), m_number(number), m_surface(m_face), m_original(m_surface),

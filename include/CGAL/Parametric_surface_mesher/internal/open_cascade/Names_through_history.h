@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -62,8 +61,9 @@ public:
     for(auto& part : result.parts) {
       part.faces = images(faces, part.faces);
       part.solids = images(solids, part.solids);
-      add(bodies_of(m_after.solids, part.faces), part.solids);
-      part.shells = bodies_of(m_after.shells, part.faces);
+      if(part.solids.empty()) // else one that fills a cavity of this part would be taken for it
+        part.solids = bodies_of(m_after.solids, part.faces);
+      part.shells = shells_of(part.solids, bodies_of(m_after.shells, part.faces));
     }
     return result;
   }
@@ -119,11 +119,20 @@ private:
     return result;
   }
 
-  static void add(const std::vector<std::size_t>& more, std::vector<std::size_t>& all)
+  // The shells of some solids, and those among `candidates` that no solid has.
+  std::vector<std::size_t> shells_of(const std::vector<std::size_t>& solids, const std::vector<std::size_t>& candidates) const
   {
-    std::vector<std::size_t> result;
-    std::set_union(all.begin(), all.end(), more.begin(), more.end(), std::back_inserter(result));
-    all.swap(result);
+    std::set<std::size_t> result, in_any_solid;
+    for(int i = 1; i <= m_after.solids.Extent(); ++i)
+      for(std::size_t shell : Shape_index::members(m_after.shells, m_after.solids(i), TopAbs_SHELL)) {
+        in_any_solid.insert(shell);
+        if(std::binary_search(solids.begin(), solids.end(), std::size_t(i) - 1))
+          result.insert(shell);
+      }
+    for(std::size_t shell : candidates)
+      if(in_any_solid.count(shell) == 0)
+        result.insert(shell);
+    return {result.begin(), result.end()};
   }
 };
 

@@ -89,7 +89,7 @@ public:
 
   // What replaces a vertex.
   std::size_t vertex_place(std::size_t v) const { return m_merging.vertex(v); }
-  Edge_place edge_place(std::size_t e) const { return {is_point(m_merging, e), m_merging.pieces(e), {0, 1}}; }
+  Edge_replacement edge_replacement(std::size_t e) const { return {is_point(m_merging, e), m_merging.pieces(e), {0, 1}}; }
 
 private:
   static std::vector<Wire> wires_of(const TopoDS_Shape& face, const TopTools_IndexedMapOfShape& edges)

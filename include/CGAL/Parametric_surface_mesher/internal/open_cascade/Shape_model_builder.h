@@ -55,7 +55,7 @@ class Shape_model_builder
   TopTools_IndexedMapOfShape m_vertices, m_edges, m_faces;
   std::vector<double> m_vertex_tolerances;
   std::vector<Unit_range> m_ranges; // by edge of the shape: the part of its curve that is used
-  std::vector<Edge_place> m_places; // by edge of the shape
+  std::vector<Edge_replacement> m_places; // by edge of the shape
   std::set<std::size_t> m_closed_up; // by indices in the shape
   std::map<std::size_t, std::size_t> m_fronts; // the first faces of the model, by indices in the shape
   std::set<std::size_t> m_backs; // faces of the shape whose other side is in the model, too
@@ -187,7 +187,7 @@ private:
     for(std::size_t v = 0; v < m_vertex_tolerances.size(); ++v)
       move_vertex(v, closer.vertex_place(v));
     for(std::size_t e = 0; e < m_result.number_of_shape_edges; ++e) {
-      m_places.push_back(closer.edge_place(e));
+      m_places.push_back(closer.edge_replacement(e));
       m_places.back().range = m_ranges[e];
       move_edge(e, closer);
     }

@@ -13,6 +13,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Evaluated_point_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
@@ -229,9 +230,28 @@ private:
       m_vertices[i] = m_triangulation.insert(m_points[i], hint);
       hint = m_vertices[i]->face();
     }
-    if(m_triangulation.dimension() < 2)
+    if(m_triangulation.dimension() < 2 || !has_area())
       throw Parametric_surface_mesh_error("the domain has area zero: the points of its boundary are collinear, from "
                                           + describe(m_points.front()));
+  }
+
+  // Whether a loop encloses more than what rounding of points on a line may enclose, as a share of their box.
+  bool has_area() const
+  {
+    const double rounding = 1e-12;
+    for(const auto& loop : m_loops) {
+      Bbox_2 box;
+      double area = 0;
+      const auto& origin = loop.front().domain_point;
+      for(std::size_t i = 0; i < loop.size(); ++i) {
+        const auto &p = loop[i].domain_point, &q = loop[i + 1 < loop.size() ? i + 1 : 0].domain_point;
+        box += p.bbox();
+        area += 0.5 * ((p.x() - origin.x()) * (q.y() - origin.y()) - (p.y() - origin.y()) * (q.x() - origin.x()));
+      }
+      if(std::fabs(area) > rounding * box.x_span() * box.y_span())
+        return true;
+    }
+    return false;
   }
 
   template <class Visit>
