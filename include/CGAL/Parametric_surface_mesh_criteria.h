@@ -180,6 +180,16 @@ public:
   Parametric_surface_mesh_criteria& set_placement(Parametric_surface_mesher::Mesh_point_placement placement)
   {
     m_improvement.placement = placement;
+    m_improvement.own_placement = nullptr;
+    return *this;
+  }
+
+  /// takes a placement of the user for triangles that fail: a model of `ParametricSurfacePointPlacement`. Default: none.
+  /// Meshing throws if it returns what are no barycentric coordinates.
+  Parametric_surface_mesh_criteria& set_placement(const Parametric_surface_mesher::Own_placement& placement)
+  {
+    m_improvement.placement = Parametric_surface_mesher::Mesh_point_placement::CIRCUMCENTER;
+    m_improvement.own_placement = placement;
     return *this;
   }
 
@@ -265,6 +275,7 @@ public:
   const std::shared_ptr<const Sizing_field>& sizing_field() const { return m_sizing.field; }
   Parametric_surface_mesher::Curve_deviation curve_deviation() const { return m_tolerances.curve_deviation; }
   Parametric_surface_mesher::Mesh_point_placement placement() const { return m_improvement.placement; }
+  const Parametric_surface_mesher::Own_placement& own_placement() const { return m_improvement.own_placement; }
   const std::optional<unsigned int>& max_number_of_sweeps() const { return m_improvement.max_number_of_sweeps; }
   double improvement_angle() const { return m_improvement.angle; }
   double improvement_time() const { return m_improvement.time; }

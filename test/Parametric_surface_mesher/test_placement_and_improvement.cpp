@@ -72,6 +72,25 @@ TEST_P(Sample_shapes, off_centers_alone)
   EXPECT_GT(q.mean_radius_ratio, 0.9);
 }
 
+TEST_P(Sample_shapes, own_placement)
+{
+  namespace psm = CGAL::Parametric_surface_mesher;
+  const Sample sample = make_sample(GetParam());
+  const auto criteria = unimproved(uniform(sample, 5000));
+  const CGAL::Triangle_mesh_quality q = quality(sample, Criteria(criteria).set_placement(psm::Mesh_point_placement::CIRCUMCENTER)),
+    same = quality(sample, Criteria(criteria).set_placement(psm::Circumcenter_placement())),
+    other = quality(sample, Criteria(criteria).set_placement([](const psm::Triangle_weights& squared_lengths, double) {
+      psm::Triangle_weights weights = psm::Circumcenter_placement()(squared_lengths, 0);
+      for(double& w : weights) // half way to the centroid
+        w = 0.5 * w + 0.5 / 3;
+      return weights;
+    }));
+  EXPECT_EQ(q.number_of_faces, same.number_of_faces);
+  EXPECT_EQ(q.mean_min_angle, same.mean_min_angle);
+  EXPECT_NE(q.number_of_faces, other.number_of_faces);
+  EXPECT_GT(other.min_angle, 25);
+}
+
 INSTANTIATE_TEST_SUITE_P(Samples, Sample_shapes, ::testing::ValuesIn(sample_names()),
                          [](const auto& parameter) { return parameter.param; });
 
@@ -202,3 +221,13 @@ TEST(Grading, long_edges_close_to_a_finely_divided_hole)
         EXPECT_GT(report.smallest_angle, 20) << on_side << " " << on_circle << " " << radius;
       }
 }
+
+TEST(Own_placement, must_give_barycentric_coordinates)
+{
+  namespace psm = CGAL::Parametric_surface_mesher;
+  const Sample sample = make_sample("peak");
+  for(const psm::Triangle_weights& weights : {psm::Triangle_weights{1, 1, 1}, {0. / 0., 0, 1}})
+    EXPECT_THROW(quality(sample, uniform(sample, 1000).set_placement([&](const psm::Triangle_weights&, double) { return weights; })),
+                 CGAL::Parametric_surface_mesh_error);
+}
+

@@ -10,6 +10,8 @@
 
 #include <CGAL/license/Parametric_surface_mesher.h>
 
+#include <CGAL/Parametric_surface_mesher/Point_placements.h>
+
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -35,6 +37,10 @@ enum class Mesh_point_placement
   OFF_CENTER,   ///< nearer to the shortest edge of a bad triangle, where the new triangle has the wanted angle (Ungor 2004)
   FRONTAL       ///< from the boundary inwards, so that triangles of the wanted size arise; circumcentres for what is left
 };
+
+/// \ingroup PkgParametricSurfaceMesherRef
+/// a model of `ParametricSurfacePointPlacement`, or none.
+typedef std::function<Triangle_weights(const Triangle_weights& squared_lengths, double spacing)> Own_placement;
 
 /// \ingroup PkgParametricSurfaceMesherRef
 /// how long edges are to be. The functions of `Parametric_surface_mesh_criteria` that set the values explain them; this and
@@ -70,6 +76,7 @@ struct Tolerance_options
 struct Improvement_options
 {
   Mesh_point_placement placement = Mesh_point_placement::FRONTAL; ///< where new points are put
+  Own_placement own_placement;                      ///< of the user, in place of that; none by default
   std::optional<unsigned int> max_number_of_sweeps; ///< over the inner vertices; the default depends on the patch
   double angle = 40;                                ///< smallest angle that is aimed at, in degrees
   double time = std::numeric_limits<double>::infinity(); ///< limit for each patch, in seconds

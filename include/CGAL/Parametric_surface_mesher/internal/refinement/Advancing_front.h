@@ -134,7 +134,7 @@ private:
   bool place_at_circumcenter(Face_handle face, const Face_measures& measures, Candidate& candidate) const
   {
     typedef Point_placement<Kernel> Placement;
-    return m_points.locate(face, Placement::barycentric(face, Placement::circumcenter_weights(measures)), candidate);
+    return m_points.locate(face, Placement::barycentric(face, Circumcenter_placement()(measures.squared_lengths, 0)), candidate);
   }
 
   // of several, that with the length closest to the spacing

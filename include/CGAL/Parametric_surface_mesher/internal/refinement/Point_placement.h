@@ -9,6 +9,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_REFINEMENT_POINT_PLACEMENT_H
 
 #include <CGAL/Metric_tensor_2.h>
+#include <CGAL/Parametric_surface_mesher/Point_placements.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
 
 #include <boost/container/static_vector.hpp>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -29,30 +31,7 @@ class Point_placement
 {
 public:
   typedef typename Kernel::Point_2 Point_2;
-  typedef std::array<double, 3> Weights; // barycentric coordinates in a face
-
-  // The centre of the circumellipse (paper, section "Procedure"); for a triangle without area, the centroid.
-  static Weights circumcenter_weights(const Face_measures& measures)
-  {
-    const std::array<double, 3>& l = measures.squared_lengths;
-    const Weights w = {l[0] * (l[1] + l[2] - l[0]), l[1] * (l[2] + l[0] - l[1]), l[2] * (l[0] + l[1] - l[2])};
-    const double sum = w[0] + w[1] + w[2];
-    if(!(sum > rounding_of_area * (std::max)({l[0], l[1], l[2]}) * (std::max)({l[0], l[1], l[2]})))
-      return {1. / 3, 1. / 3, 1. / 3};
-    return {w[0] / sum, w[1] / sum, w[2] / sum};
-  }
-
-  // The point between the middle of the shortest edge and the circumcentre at which the triangle with that edge has this angle
-  // (Ungor 2004), or the wanted size if that is farther away.
-  static Weights off_center_weights(const Face_measures& measures, double angle, double spacing)
-  {
-    const std::array<double, 3>& l = measures.squared_lengths;
-    const int shortest = int(std::min_element(l.begin(), l.end()) - l.begin());
-    const double height = (std::max)(0.5 * std::sqrt(l[shortest]) / std::tan(0.5 * angle), height_of_equilateral * spacing);
-    const double distance = std::sqrt((std::max)(0., measures.squared_circumradius - l[shortest] / 4));
-    const Weights center = circumcenter_weights(measures);
-    return height < distance ? on_axis(shortest, height / distance, center) : center;
-  }
+  typedef Triangle_weights Weights; // barycentric coordinates in a face
 
   template <class Face_handle>
   static Point_2 barycentric(Face_handle face, const Weights& w)
@@ -70,15 +49,15 @@ public:
   static boost::container::static_vector<Weights, 4> alternatives(const Face_measures& measures)
   {
     const std::array<double, 3>& l = measures.squared_lengths;
-    const int shortest = int(std::min_element(l.begin(), l.end()) - l.begin());
-    const Weights center = circumcenter_weights(measures);
+    const std::size_t shortest = std::size_t(std::min_element(l.begin(), l.end()) - l.begin());
+    const Weights center = Circumcenter_placement()(l, 0);
     const double distance = std::sqrt((std::max)(0., measures.squared_circumradius - l[shortest] / 4));
     boost::container::static_vector<Weights, 4> result;
     for(double height : heights_over_shortest_edge) {
       const double share = height * std::sqrt(l[shortest]) / distance;
       if(!(share < 1))
         continue;
-      result.push_back(on_axis(shortest, share, center));
+      result.push_back(Off_center_placement::on_axis(shortest, share, center));
     }
     result.push_back({1. / 3, 1. / 3, 1. / 3});
     return result;
@@ -104,24 +83,12 @@ public:
   }
 
 private:
-  // Relative, of 16 times the squared area.
-  static constexpr double rounding_of_area = 1e-12;
   // Over the side; sqrt(3) / 2 is 0.866.
   static constexpr double height_of_equilateral = 0.87;
   // Heights of isosceles triangles over their bases, in the order in which they are tried: angles at the apex are 39, 60 and 80
   // degrees over an inner edge, where long triangles often fit better; 60, 80 and 45 degrees over the boundary.
   static constexpr double heights_over_shortest_edge[] = {1.4, height_of_equilateral, 0.6},
                           heights_over_boundary[] = {height_of_equilateral, 0.6, 1.2};
-
-  // The point at a share of the way from the middle of an edge to the circumcentre.
-  static Weights on_axis(int edge, double share, const Weights& center)
-  {
-    Weights weights = {0.5, 0.5, 0.5};
-    weights[edge] = 0;
-    for(int i = 0; i < 3; ++i)
-      weights[i] += share * (center[i] - weights[i]);
-    return weights;
-  }
 };
 
 } // namespace internal

@@ -9,11 +9,13 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_REFINEMENT_POSITION_SEARCH_H
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/Mesh_criterion.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Inner_points.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Landing.h>
 #include <CGAL/Parametric_surface_mesher/internal/refinement/Point_placement.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
 #include <CGAL/number_utils.h>
 
@@ -49,14 +51,15 @@ class Position_search
   const Evaluator& m_evaluate;
   std::vector<Point_2> m_positions;
   const bool m_has_off_centers;
-  const double m_angle; // in radians
+  const Off_center_placement m_off_centers;
+  const Own_placement m_own_placement; // or none
   const double m_squared_min_distance, m_tolerated_squared_error;
 
 public:
   Position_search(Inner_points& points, const Evaluator& evaluate, const Parametric_surface_mesh_criteria& criteria)
     : m_points(points), m_evaluate(evaluate),
       m_has_off_centers(criteria.placement() == Mesh_point_placement::OFF_CENTER),
-      m_angle(criteria.angle() * std::atan(1.) / 45), m_squared_min_distance(square(criteria.min_edge())),
+      m_off_centers(criteria.angle() * std::atan(1.) / 45), m_own_placement(criteria.own_placement()), m_squared_min_distance(square(criteria.min_edge())),
       m_tolerated_squared_error(
         square(criteria.placement() == Mesh_point_placement::FRONTAL ? tolerated_error_after_front : tolerated_error))
   {}
@@ -117,10 +120,20 @@ private:
 
   Weights first_weights(Face_handle face, const Face_measures& measures) const
   {
-    if(!m_has_off_centers)
-      return Point_placement<Kernel>::circumcenter_weights(measures);
+    if(!m_has_off_centers && !m_own_placement)
+      return Circumcenter_placement()(measures.squared_lengths, 0);
     const double spacing = (face->vertex(0)->spacing() + face->vertex(1)->spacing() + face->vertex(2)->spacing()) / 3;
-    return Point_placement<Kernel>::off_center_weights(measures, m_angle, spacing);
+    return m_own_placement ? checked_weights(measures.squared_lengths, spacing) : m_off_centers(measures.squared_lengths, spacing);
+  }
+
+  Weights checked_weights(const Weights& squared_lengths, double spacing) const
+  {
+    const Weights weights = m_own_placement(squared_lengths, spacing);
+    const double sum = weights[0] + weights[1] + weights[2], tolerance = 1e-6 * (1 + std::fabs(weights[0]) + std::fabs(weights[1]));
+    if(!(std::fabs(sum - 1) <= tolerance))
+      throw Parametric_surface_mesh_error("the placement of points returned (" + describe(weights[0]) + ", " + describe(weights[1]) + ", "
+                                          + describe(weights[2]) + "); barycentric coordinates must be finite, with 1 as their sum");
+    return weights;
   }
 
   // The point of the face with these barycentric coordinates. Where the parametrisation changes its speed within the face,
