@@ -34,6 +34,9 @@ struct Open_cascade_model_3
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model; ///< the type of the model
 
+  /// the index of what the shape does not have.
+  static constexpr std::size_t none = std::size_t(-1);
+
   /// a face of the shape that is not in the model, or not in the mesh.
   struct Left_out_face
   {
@@ -73,6 +76,8 @@ struct Open_cascade_model_3
   std::vector<std::size_t> shape_faces;
   /// for each edge of the shape, those of the model along it: the same, unless a face is closed up or divided at a crease; none if it is a vertex
   std::vector<std::vector<std::size_t>> model_edges;
+  /// for each vertex of the model, its index in the shape, or `none` at creases and on closed edges without vertices
+  std::vector<std::size_t> shape_vertices;
   std::size_t number_of_shape_faces = 0;
   std::size_t number_of_shape_edges = 0;
   double diagonal = 0; ///< of the box of the shape

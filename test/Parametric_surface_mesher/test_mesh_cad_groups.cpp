@@ -1,15 +1,20 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The program mesh_cad from outside: names and parts of assemblies.
+// The program mesh_cad from outside: names, parts of assemblies, and groups in files. Other programs read these; without them a test is skipped.
 #include "Named_assembly.h"
 #include "program_test.h"
 
+#include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepTools.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <gp_Pnt.hxx>
 
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
-#include <set>
+#include <map>
+#include <sstream>
 #include <string>
 
 namespace {
@@ -80,6 +85,103 @@ TEST_F(Mesh_cad_groups, names_in_numbers)
     EXPECT_EQ(numbers["face_colors"][face.key()]["rgb"], "#ff0000");
   }
   EXPECT_EQ(json("bridge.step --quiet --max-edge 0.005 --unit M")["parts"][7]["location"][3], 0.025);
+}
+
+// Two boxes with a common face.
+TEST_F(Mesh_cad_groups, a_face_between_two_parts)
+{
+  BRepAlgoAPI_Splitter splitter;
+  TopTools_ListOfShape arguments, tools;
+  arguments.Append(BRepPrimAPI_MakeBox(2, 1, 1).Shape());
+  tools.Append(BRepPrimAPI_MakeBox(gp_Pnt(1, -1, -1), 3, 3, 3).Shape());
+  splitter.SetArguments(arguments);
+  splitter.SetTools(tools);
+  splitter.Build();
+  BRepTools::Write(splitter.Shape(), file("two.brep").c_str());
+  for(const char* parts : {"", "--parts solid_1", "--parts solid_2"}) {
+    const nlohmann::json numbers = json(std::string("two.brep --quiet ") + parts);
+    EXPECT_EQ(numbers["meshed_faces"], *parts == 0 ? 11 : 6) << parts;
+    EXPECT_TRUE(numbers["closed"]) << parts;
+  }
+  ASSERT_EQ(run("two.brep --quiet --out two.inp").status, 0);
+  const std::string inp = content(file("two.inp"));
+  EXPECT_TRUE(has(inp, "_SHEET_"));
+  EXPECT_TRUE(has(inp, "*ELSET, ELSET=SOLID_1\n"));
+  EXPECT_TRUE(has(inp, "*ELSET, ELSET=SOLID_2\n"));
+}
+
+TEST_F(Mesh_cad_groups, gmsh_fills_a_part)
+{
+  if(!succeeds("command -v gmsh"))
+    GTEST_SKIP() << "gmsh is not installed";
+  ASSERT_EQ(run("bridge.step --quiet --node-parameters --out bridge.msh").status, 0);
+  const std::string msh = content(file("bridge.msh")), name = " \"right plate\"";
+  const std::size_t end = msh.find(name), begin = msh.rfind('\n', end) + 1;
+  ASSERT_NE(end, std::string::npos);
+  EXPECT_EQ(msh.substr(begin, 2), "2 ");
+  const std::string tag = msh.substr(begin + 2, end - begin - 2);
+  std::ofstream(file("bridge.geo")) << "Merge \"bridge.msh\";\nSurface Loop(1) = Physical Surface {" << tag
+                                    << "};\nVolume(1) = {1};\nPhysical Volume(\"filled\") = {1};\n";
+  EXPECT_TRUE(succeeds("cd " + file("") + " && gmsh bridge.geo -3 -format msh22 -o filled.msh"));
+  const std::string filled = content(file("filled.msh"));
+  for(const char* group : {"filled", "right plate", "pl\xc3\xa4te", "top", "face_1", "color_ff0000", "layer_steel parts", "column", "edge_1", "vertex_1"})
+    EXPECT_EQ(has(filled, std::string("\"") + group + "\""), group != std::string("pl\xc3\xa4te")) << group;
+  std::istringstream lines(filled.substr(filled.find("$Elements")));
+  std::map<int, std::size_t> number_by_type;
+  std::string line;
+  std::getline(lines, line);
+  std::getline(lines, line);
+  while(std::getline(lines, line) && line.front() != '$') {
+    std::istringstream element(line);
+    int number = 0, type = 0;
+    element >> number >> type;
+    ++number_by_type[type];
+  }
+  EXPECT_GT(number_by_type[4], 100u); // tetrahedra
+  EXPECT_GT(number_by_type[2], 0u);
+}
+
+TEST_F(Mesh_cad_groups, meshio_reads_groups)
+{
+  if(!succeeds("/usr/bin/python3 -c 'import meshio'"))
+    GTEST_SKIP() << "meshio is not installed";
+  std::ofstream(file("read.py")) << "import json, meshio, sys\n"
+                                    "m = meshio.read(sys.argv[1])\n"
+                                    "json.dump({'points': len(m.points), 'cells': {c.type: len(c.data) for c in m.cells},\n"
+                                    "  'sets': sorted(list(m.field_data) + list(m.cell_sets) + list(m.point_sets)),\n"
+                                    "  'data': sorted(m.cell_data)}, open('read.json', 'w'))\n";
+  const nlohmann::json numbers = json("bridge.step --quiet");
+  for(const char* name : {"bridge.msh", "bridge2.msh", "bridge.inp"}) {
+    const bool is_version_2 = name == std::string("bridge2.msh");
+    ASSERT_EQ(run(std::string("bridge.step --quiet --out ") + (is_version_2 ? "bridge.msh2" : name)).status, 0);
+    if(is_version_2)
+      std::filesystem::rename(file("bridge.msh2"), file(name));
+    ASSERT_TRUE(succeeds("cd " + file("") + " && /usr/bin/python3 read.py " + name)) << name;
+    const auto read = nlohmann::json::parse(content(file("read.json")));
+    EXPECT_EQ(read["points"], numbers["vertices"]) << name;
+    const std::string text = read["sets"].dump();
+    EXPECT_TRUE(has(text, name == std::string("bridge.inp") ? "\"RIGHT_PLATE\"" : "\"right plate\"")) << text;
+    EXPECT_TRUE(has(text, name == std::string("bridge.inp") ? "\"TOP\"" : "\"top\"")) << text;
+  }
+}
+
+// A plate with a fixed bottom and a pressure on its top, by their names. Pressure on a shell acts along its normal.
+TEST_F(Mesh_cad_groups, calculix_runs_a_shell_job)
+{
+  if(!succeeds("command -v ccx"))
+    GTEST_SKIP() << "CalculiX is not installed";
+  ASSERT_EQ(run("bridge.step --quiet --max-edge 3 --parts 'left plate' --out plate.inp").status, 0);
+  std::ofstream(file("job.inp")) << "*INCLUDE, INPUT=plate.inp\n*MATERIAL, NAME=STEEL\n*ELASTIC\n210000, 0.3\n"
+                                    "*SHELL SECTION, ELSET=EALL, MATERIAL=STEEL\n0.1\n*STEP\n*STATIC\n"
+                                    "*BOUNDARY\nFACE_5, 1, 6\n*DLOAD\nTOP, P, 2.\n"
+                                    "*NODE PRINT, NSET=FACE_5, TOTALS=ONLY\nRF\n*END STEP\n";
+  ASSERT_TRUE(succeeds("cd " + file("") + " && ccx job"));
+  const std::string result = content(file("job.dat")), title = "total force (fx,fy,fz) for set FACE_5";
+  ASSERT_TRUE(has(result, title)) << result;
+  std::istringstream forces(result.substr(result.find('\n', result.find(title))));
+  double fx = 0, fy = 0, fz = 0;
+  forces >> fx >> fy >> fz;
+  EXPECT_NEAR(fz, -200, 0.1); // what bears the pressure of 2 on an area of 100
 }
 
 } // namespace

@@ -126,19 +126,20 @@ TEST_F(Mesh_cad_program, counts_faces_from_1_in_ply_files)
 TEST_F(Mesh_cad_program, tells_the_face_of_each_triangle)
 {
   ASSERT_EQ(run("box.brep --quiet --out box.msh").status, 0);
+  ASSERT_EQ(run("box.brep --quiet --out box.msh2").status, 0);
   ASSERT_EQ(run("box.brep --quiet --out box.vtu").status, 0);
   ASSERT_EQ(run("box.brep --quiet --out box.inp").status, 0);
-  const std::string msh = content(file("box.msh")), vtu = content(file("box.vtu")), inp = content(file("box.inp"));
-  EXPECT_NE(msh.find("2.2 0 8"), std::string::npos);
+  const std::string msh = content(file("box.msh")), msh_2 = content(file("box.msh2")), vtu = content(file("box.vtu")), inp = content(file("box.inp"));
+  EXPECT_NE(msh.find("4.1 0 8"), std::string::npos);
+  EXPECT_NE(msh_2.find("2.2 0 8"), std::string::npos);
   for(int face = 1; face <= 6; ++face) {
     EXPECT_NE(msh.find("2 " + std::to_string(face) + " \"face_" + std::to_string(face) + "\""), std::string::npos);
     EXPECT_NE(inp.find("ELSET=FACE_" + std::to_string(face) + "\n"), std::string::npos);
   }
   EXPECT_NE(vtu.find("Name=\"face_id\""), std::string::npos);
-  std::istringstream elements(msh.substr(msh.find("$Elements") + 9));
-  std::size_t n = 0;
-  elements >> n;
-  EXPECT_EQ(n, json("box.brep --quiet")["triangles"]);
+  const std::string last = std::to_string(json("box.brep --quiet")["triangles"].get<int>()); // the number of the last triangle
+  EXPECT_NE(msh_2.find("\n" + last + " 2 2 6 6 "), std::string::npos);
+  EXPECT_NE(inp.find("\n" + last + ", "), std::string::npos);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB

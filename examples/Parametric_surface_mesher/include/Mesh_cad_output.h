@@ -14,6 +14,10 @@
 #include "write_mesh_file.h"
 #include "write_surface_picture.h"
 
+#include <CGAL/IO/write_INP.h>
+#include <CGAL/IO/write_MSH.h>
+#include <CGAL/make_element_mesh.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -61,14 +65,28 @@ inline Elements elements(const Mesh_cad_result& result)
   return elements;
 }
 
-inline void write_result(std::ostream& out, const std::string& file_name, const Mesh_cad_result& result)
+inline CGAL::Element_mesh_3 element_mesh(const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  const auto places = result.mesh.places();
+  CGAL::Element_mesh_3 mesh
+    = result.second_order
+        ? CGAL::make_second_order_element_mesh(result.shape, result.names, result.mesh.mesh, result.mesh.mid_side_nodes, places)
+        : CGAL::make_element_mesh(result.shape, result.names, result.mesh.mesh, places);
+  if(!options.are_node_parameters_wanted)
+    mesh.forget_parameters();
+  return mesh;
+}
+
+inline void write_result(std::ostream& out, const std::string& file_name, const Mesh_cad_options& options, const Mesh_cad_result& result)
 {
   if(mesh_patch::has_ending(file_name, ".vtu"))
     write_vtu(out, elements(result));
   else if(mesh_patch::has_ending(file_name, ".msh"))
-    write_msh(out, elements(result));
+    CGAL::IO::write_MSH(out, element_mesh(options, result));
+  else if(mesh_patch::has_ending(file_name, ".msh2"))
+    CGAL::IO::write_MSH_2(out, element_mesh(options, result));
   else if(mesh_patch::has_ending(file_name, ".inp"))
-    write_inp(out, elements(result));
+    CGAL::IO::write_INP(out, element_mesh(options, result));
   else
     mesh_patch::write_mesh(out, file_name, result.mesh.mesh,
                            [&](std::size_t face) { return result.shape.shape_faces[face] + 1; });
@@ -236,9 +254,9 @@ inline Output_files output_files(const Mesh_cad_options& o, const Mesh_cad_resul
     files.add(name, std::move(write));
   };
   if(o.order == 2 && !o.out.empty())
-    mesh_patch::check_ending("order 2 --out", o.out, {".vtu", ".msh", ".inp"});
-  add("out", o.out, {".off", ".obj", ".ply", ".stl", ".vtu", ".msh", ".inp"},
-      [&](std::ostream& out) { write_result(out, o.out, result); });
+    mesh_patch::check_ending("order 2 --out", o.out, {".vtu", ".msh", ".msh2", ".inp"});
+  add("out", o.out, {".off", ".obj", ".ply", ".stl", ".vtu", ".msh", ".msh2", ".inp"},
+      [&](std::ostream& out) { write_result(out, o.out, o, result); });
   add("picture", o.picture, {".svg"}, [&](std::ostream& out) { write_picture(out, o, result); });
   add("json", o.json, {".json"}, [&](std::ostream& out) { write_json(out, o, result); });
   return files;

@@ -7,8 +7,8 @@
 
 #include "Usage_error.h"
 
-#include <CGAL/Open_cascade_model_3.h>
 #include <CGAL/Open_cascade_names_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Entities_of_shape.h>
 
 #include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
@@ -16,10 +16,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdio>
 #include <iomanip>
 #include <map>
 #include <ostream>
@@ -68,22 +66,6 @@ inline std::set<std::size_t> parts_in(const Names& names, const std::string& lis
   return result;
 }
 
-// For each face of the model the smallest part that it belongs to, or `none`. A face that two solids share is in the model twice,
-// in the shell of either.
-inline std::vector<std::size_t> parts_of_model_faces(const CGAL::Open_cascade_model_3& shape, const Names& names)
-{
-  const auto parts_of_faces = names.parts_of_faces(), parts_of_shells = names.parts_of_shells();
-  std::vector<std::size_t> result;
-  for(std::size_t f = 0; f < shape.shape_faces.size(); ++f) {
-    const std::size_t shell = shape.model.faces()[f].shell;
-    const std::size_t part = shell < parts_of_shells.size() ? parts_of_shells[shell] : Names::none;
-    result.push_back(part != Names::none                              ? part
-                     : shape.shape_faces[f] < parts_of_faces.size() ? parts_of_faces[shape.shape_faces[f]]
-                                                                      : Names::none);
-  }
-  return result;
-}
-
 // Whether a part is one of some, or below one of them.
 inline bool is_in(const Names& names, std::size_t part, const std::set<std::size_t>& some)
 {
@@ -124,14 +106,6 @@ public:
   }
 };
 
-inline std::string hexadecimal(const Names::Color& color)
-{
-  char text[8];
-  const auto byte = [](double value) { return unsigned((std::min)((std::max)(255 * value + 0.5, 0.), 255.)); };
-  std::snprintf(text, sizeof(text), "#%02x%02x%02x", byte(color.red), byte(color.green), byte(color.blue));
-  return text;
-}
-
 inline std::size_t depth(const Names& names, std::size_t part)
 {
   std::size_t result = 0;
@@ -148,7 +122,7 @@ inline std::string description(const Names::Part& part)
   if(part.material)
     result += ", " + part.material->name;
   if(part.color)
-    result += ", " + hexadecimal(*part.color);
+    result += ", #" + CGAL::Parametric_surface_mesher::internal::hexadecimal(*part.color);
   for(const std::string& layer : part.layers)
     result += ", layer " + layer;
   return result;

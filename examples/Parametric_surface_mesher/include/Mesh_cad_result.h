@@ -130,7 +130,7 @@ inline void select_parts(const std::set<std::size_t>& wanted, const Names& names
 {
   if(wanted.empty())
     return;
-  const auto parts = parts_of_model_faces(shape, names);
+  const auto parts = CGAL::Parametric_surface_mesher::internal::parts_of_model_faces(shape, names);
   std::set<std::size_t> faces;
   for(const std::size_t part : wanted)
     faces.insert(names.parts[part].faces.begin(), names.parts[part].faces.end());
@@ -295,10 +295,7 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
                       + result.left_out.front().reason);
   }
   Progress_line progress(options.is_quiet);
-  const auto np = parameters::halfedge_uv_map(
-    result.mesh.uv, parameters::face_patch_id_map(
-      result.mesh.patch, parameters::edge_place_map(
-        result.mesh.edge_place, parameters::leaves_out_bad_faces(true).visitor(std::ref(progress)))));
+  const auto np = result.mesh.places(parameters::leaves_out_bad_faces(true).visitor(std::ref(progress)));
 #ifdef CGAL_LINKED_WITH_TBB
   if(options.threads > 1) {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, options.threads);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ inline std::vector<std::size_t> numbers_from_1(std::vector<std::size_t> numbers)
 
 inline nlohmann::ordered_json json_of(const Names::Color& color)
 {
-  return {{"rgb", hexadecimal(color)}, {"opacity", color.opacity}};
+  return {{"rgb", "#" + CGAL::Parametric_surface_mesher::internal::hexadecimal(color)}, {"opacity", color.opacity}};
 }
 
 inline nlohmann::ordered_json json_of(const Names& names, std::size_t number)

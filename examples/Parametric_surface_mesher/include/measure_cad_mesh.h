@@ -36,15 +36,19 @@ struct Cad_mesh
   Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv
     = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   Mesh::Property_map<Mesh::Face_index, std::size_t> patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
+  Mesh::Property_map<Mesh::Vertex_index, CGAL::Parametric_surface_mesher::Vertex_place> vertex_place
+    = mesh.add_property_map<Mesh::Vertex_index, CGAL::Parametric_surface_mesher::Vertex_place>("v:place").first;
   Mesh::Property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place> edge_place
     = mesh.add_property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place>("e:place").first;
   Mesh::Property_map<Mesh::Edge_index, Kernel::Point_3> mid_side_nodes; // there are some if the elements are of second order
 
-  // Where its elements lie in the model, as named parameters.
-  auto places() const
+  // Where its elements lie in the model, as named parameters, with others.
+  template <class... NamedParameters>
+  auto places(const NamedParameters&... others) const
   {
     namespace parameters = CGAL::parameters;
-    return parameters::halfedge_uv_map(uv, parameters::face_patch_id_map(patch, parameters::edge_place_map(edge_place)));
+    return parameters::halfedge_uv_map(
+      uv, parameters::face_patch_id_map(patch, parameters::vertex_place_map(vertex_place, parameters::edge_place_map(edge_place, others...))));
   }
 };
 

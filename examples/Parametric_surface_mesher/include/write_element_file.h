@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstddef>
-#include <map>
 #include <ostream>
 #include <vector>
 
@@ -34,14 +33,6 @@ struct Elements
         out << separator << node + first;
     out << '\n';
   }
-
-  std::map<std::size_t, std::vector<std::size_t>> triangles_of_faces() const
-  {
-    std::map<std::size_t, std::vector<std::size_t>> result;
-    for(std::size_t t = 0; t < triangles.size(); ++t)
-      result[face_ids[t]].push_back(t);
-    return result;
-  }
 };
 
 // An unstructured grid of VTK, for ParaView; the cell array is `face_id`.
@@ -67,39 +58,6 @@ inline void write_vtu(std::ostream& out, const Elements& mesh)
   for(const std::size_t id : mesh.face_ids)
     out << id << '\n';
   out << "</DataArray>\n</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-}
-
-// Gmsh's format, version 2.2: a face is a physical group, and an entity of the same number.
-inline void write_msh(std::ostream& out, const Elements& mesh)
-{
-  const auto faces = mesh.triangles_of_faces();
-  out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" << faces.size() << "\n";
-  for(const auto& face : faces)
-    out << "2 " << face.first << " \"face_" << face.first << "\"\n";
-  out << "$EndPhysicalNames\n$Nodes\n" << mesh.points.size() << "\n";
-  for(std::size_t i = 0; i < mesh.points.size(); ++i)
-    out << i + 1 << ' ' << mesh.points[i][0] << ' ' << mesh.points[i][1] << ' ' << mesh.points[i][2] << '\n';
-  out << "$EndNodes\n$Elements\n" << mesh.triangles.size() << "\n";
-  for(std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    out << t + 1 << (mesh.is_second_order() ? " 9 2 " : " 2 2 ") << mesh.face_ids[t] << ' ' << mesh.face_ids[t] << ' ';
-    mesh.write_nodes(out, t, 1, " ");
-  }
-  out << "$EndElements\n";
-}
-
-// An input file of Abaqus and CalculiX: shell elements S3 or S6, each face an element set FACE_<number>.
-inline void write_inp(std::ostream& out, const Elements& mesh)
-{
-  out << "*HEADING\nTriangles of the faces of a shape\n*NODE\n";
-  for(std::size_t i = 0; i < mesh.points.size(); ++i)
-    out << i + 1 << ", " << mesh.points[i][0] << ", " << mesh.points[i][1] << ", " << mesh.points[i][2] << '\n';
-  for(const auto& face : mesh.triangles_of_faces()) {
-    out << "*ELEMENT, TYPE=" << (mesh.is_second_order() ? "S6" : "S3") << ", ELSET=FACE_" << face.first << '\n';
-    for(const std::size_t t : face.second) {
-      out << t + 1 << ", ";
-      mesh.write_nodes(out, t, 1, ", ");
-    }
-  }
 }
 
 } // namespace mesh_cad

@@ -19,6 +19,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+// Whether a command of a shell succeeds, as one that asks for a program or a module does.
+inline bool succeeds(const std::string& command) { return std::system((command + " > /dev/null 2>&1").c_str()) == 0; }
+
 inline std::string content(const std::filesystem::path& path)
 {
   std::ifstream in(path, std::ios::binary);

@@ -141,8 +141,8 @@ public:
 
 private:
   TopoDS_Shape m_shape;
-  TopTools_IndexedMapOfShape m_old_faces, m_old_edges;
-  std::vector<std::size_t> m_faces, m_edges; // of the divided shape: indices in the given one
+  TopTools_IndexedMapOfShape m_old_faces, m_old_edges, m_old_vertices;
+  std::vector<std::size_t> m_faces, m_edges, m_vertices; // of the divided shape: indices in the given one
   bool m_is_divided = false;
 
 public:
@@ -167,6 +167,7 @@ public:
     m_old_faces.Clear();
     TopExp::MapShapes(copy, TopAbs_FACE, m_old_faces);
     TopExp::MapShapes(copy, TopAbs_EDGE, m_old_edges);
+    TopExp::MapShapes(copy, TopAbs_VERTEX, m_old_vertices);
     const Handle(ShapeBuild_ReShape) context = new ShapeBuild_ReShape;
     for(const auto& of_face : creases)
       divide(TopoDS::Face(m_old_faces(of_face.first)), of_face.second, context);
@@ -175,6 +176,7 @@ public:
     m_shape = context->Apply(copy);
     m_faces = origins(m_old_faces, TopAbs_FACE, context);
     m_edges = origins(m_old_edges, TopAbs_EDGE, context);
+    m_vertices = origins(m_old_vertices, TopAbs_VERTEX, context);
     correct_parameters();
   }
 
@@ -183,10 +185,11 @@ public:
   std::size_t number_of_old_faces() const { return std::size_t(m_old_faces.Extent()); }
   std::size_t number_of_old_edges() const { return std::size_t(m_old_edges.Extent()); }
 
-  // The index, in the given shape, of the face or edge that one of the divided shape is, or is a part of. Edges at creases have
-  // none.
+  // The index, in the given shape, of the face, edge or vertex that one of the divided shape is, or is a part of. Edges and vertices
+  // at creases have none.
   std::size_t old_face(std::size_t face) const { return m_faces[face]; }
   std::size_t old_edge(std::size_t edge) const { return m_edges[edge]; }
+  std::size_t old_vertex(std::size_t vertex) const { return m_vertices[vertex]; }
 
 private:
   void divide(const TopoDS_Face& face, const Creases_of_face& creases, const Handle(ShapeBuild_ReShape)& context)

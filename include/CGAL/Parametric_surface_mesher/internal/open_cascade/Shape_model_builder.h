@@ -37,6 +37,7 @@
 #include <cstddef>
 #include <exception>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -87,6 +88,8 @@ public:
     list_inner_edges();
     add_shells(shape);
     orient();
+    m_result.shape_vertices.resize(model().vertices().size(), Open_cascade_model_3::none);
+    std::iota(m_result.shape_vertices.begin(), m_result.shape_vertices.begin() + m_vertices.Extent(), std::size_t(0));
     return std::move(m_result);
   }
 

@@ -47,6 +47,9 @@ inline Open_cascade_model_3 in_numbers_of_shape(Open_cascade_model_3 model, cons
       same.insert(same.end(), model.model_edges[e].begin(), model.model_edges[e].end());
     }
   model.model_edges = std::move(model_edges);
+  for(std::size_t& vertex : model.shape_vertices)
+    if(vertex != Open_cascade_model_3::none)
+      vertex = division.old_vertex(vertex);
   model.number_of_shape_faces = division.number_of_old_faces();
   model.number_of_shape_edges = division.number_of_old_edges();
   return model;
