@@ -27,7 +27,7 @@ int run(const Mesh_cad_options& options)
   files.write();
   if(!options.is_quiet)
     mesh_cad::print_summary(std::cout, options, result);
-  return result.left_out.empty() && result.file_faults.empty() ? 0 : 1;
+  return result.left_out.empty() && result.file_faults.empty() && !mesh_cad::intersects_itself(result) ? 0 : 1;
 }
 
 int fail(std::string message)

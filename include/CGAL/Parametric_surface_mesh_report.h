@@ -53,12 +53,22 @@ struct Parametric_surface_mesh_report
     bool is_closed_up;               ///< whether the face has no triangle any more
   };
 
+  /// two faces of the model, or one twice, of which triangles pass through each other or lie on each other: see
+  /// `Parametric_surface_mesh_criteria::set_self_intersections()`.
+  struct Intersection
+  {
+    std::array<std::size_t, 2> faces; ///< their indices in the model, in ascending order
+    std::size_t number_of_pairs;      ///< of triangles
+    std::array<double, 3> place;      ///< a point of one of them
+    bool is_of_surfaces;              ///< whether the surfaces themselves cross or touch there, so that no mesh of them could do otherwise
+  };
+
   /// time in seconds that was spent on each phase, by all threads together; if others use the processor, it counts, too.
   struct Seconds
   {
-    double division = 0, triangulation = 0, refinement = 0, improvement = 0, output = 0;
+    double division = 0, triangulation = 0, refinement = 0, improvement = 0, intersections = 0, output = 0;
     /// the sum of all phases.
-    double meshing() const { return division + triangulation + refinement + improvement + output; }
+    double meshing() const { return division + triangulation + refinement + improvement + intersections + output; }
 
     /// adds phase by phase.
     Seconds& operator+=(const Seconds& other)
@@ -67,6 +77,7 @@ struct Parametric_surface_mesh_report
       triangulation += other.triangulation;
       refinement += other.refinement;
       improvement += other.improvement;
+      intersections += other.intersections;
       output += other.output;
       return *this;
     }
@@ -99,6 +110,7 @@ struct Parametric_surface_mesh_report
   std::size_t number_of_unjudged_faces = 0;
   std::vector<Left_out_face> left_out;     ///< faces of the model that could not be meshed, by their indices
   std::vector<Removed_detail> removed_details; ///< by the indices of the faces
+  std::vector<Intersection> intersections; ///< by the indices of the faces, if they were looked for
   Seconds seconds;
 
   /// the number of triangles that fail `criterion`, and maybe others, for `cause`.

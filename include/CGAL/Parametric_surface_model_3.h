@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,7 +94,11 @@ public:
     /// The index of a face before this one that has the same surface, the same loops and another shell, if this is the other side of it, as where two
     /// solids touch. It is meshed with that face, by the sizes of that one, and has the same triangles, turned over.
     std::size_t other_side_of = no_face;
+    /// Triangles of faces with the same number are not to pass through each other: see
+    /// `Parametric_surface_mesh_criteria::set_self_intersections()`. Those of faces without one may.
+    std::optional<std::size_t> solid = 0;
     double max_edge = 0; ///< the wanted edge length, if that is less than the criteria's; 0 if the face has no own one
+    double min_edge = 0; ///< the minimum edge length, if that is less than the criteria's; 0 if the face has no own one
     /// wanted edge lengths at the parameters `(u,v)`, if there is such a field, in place of that of the criteria
     std::function<double(double u, double v)> sizing_field = nullptr;
   };

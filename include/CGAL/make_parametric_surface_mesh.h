@@ -18,7 +18,7 @@
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesh_visitor.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/check_types.h>
-#include <CGAL/Parametric_surface_mesher/internal/driver/mesh_model.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/mesh_apart.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/with_good_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Criteria_with_own.h>
@@ -129,7 +129,7 @@ Criteria_with_own<Criterion> with_own_criterion(const Parametric_surface_mesh_cr
 // Meshes a model and hands the result over to `finish`, with its division and the points where several pieces of it may meet.
 // `Numbering` orders the points of the division.
 template <class ConcurrencyTag, class Model, class NamedParameters, class Numbering, class Finish>
-Parametric_surface_mesh_report mesh_model(const Model& model, Bad_faces& bad_faces,
+Parametric_surface_mesh_report mesh_model(const Model& model, const Bad_faces& bad_faces,
                                           const Parametric_surface_mesh_criteria& given_criteria,
                                           const NamedParameters& np, bool keeps_domain_points, bool keeps_corner_points,
                                           bool has_other_sides, Numbering number_points, Finish finish)
@@ -144,23 +144,24 @@ Parametric_surface_mesh_report mesh_model(const Model& model, Bad_faces& bad_fac
 
   const auto& criteria = with_own_criterion(given_criteria, get_parameter(np, Triangle_criterion_t()));
   Parametric_surface_mesh_report report;
-  auto mesher = make_model_mesher(model, criteria, metric, progress, bad_faces, report);
-  auto division = mesher.divide();
   Indexed_mesh<Kernel> mesh;
   mesh.keeps_domain_points = keeps_domain_points;
   mesh.has_other_sides = has_other_sides;
-  mesh.keeps_corner_points = keeps_corner_points || given_criteria.detail();
-  mesher.template mesh_faces<ConcurrencyTag>(division, number_points, mesh);
-  Phase_timer timer(report.seconds.output);
-  progress.on_phase("output");
-  finish(division, mesher.meeting_points(), mesh);
+  mesh.keeps_corner_points = keeps_corner_points || given_criteria.detail()
+                             || given_criteria.self_intersections() != Self_intersections::IGNORED;
+  mesh_apart<ConcurrencyTag>(model, criteria, metric, progress, bad_faces, number_points, mesh, report,
+                             [&](auto& division, const auto& meeting_points) {
+                               Phase_timer timer(report.seconds.output);
+                               progress.on_phase("output");
+                               finish(division, meeting_points, mesh);
+                             });
   report.number_of_vertices = mesh.number_of_points();
   return report;
 }
 
 // Meshes a model into a face graph.
 template <class ConcurrencyTag, class Model, class TriangleMesh, class NamedParameters, class Numbering>
-Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& model, Bad_faces& bad_faces,
+Parametric_surface_mesh_report mesh_model_into(TriangleMesh& tm, const Model& model, const Bad_faces& bad_faces,
                                                const Parametric_surface_mesh_criteria& criteria,
                                                const NamedParameters& np, Numbering number_points)
 {

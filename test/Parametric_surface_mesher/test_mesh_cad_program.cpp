@@ -9,6 +9,7 @@
 
 #include "program_test.h"
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -294,6 +295,23 @@ TEST_F(Mesh_cad_program, knows_corners_where_loops_touch)
   EXPECT_EQ(numbers["below_10"], 2);
   EXPECT_EQ(numbers["below_10_at_corners"], 2);
   EXPECT_GT(numbers["min_angle_apart_from_corners"], 20);
+}
+
+// Coarse facets of a thin pipe pass through each other.
+TEST_F(Mesh_cad_program, meshes_thin_walls_apart)
+{
+  BRepTools::Write(BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(5.05, 4).Shape(), BRepPrimAPI_MakeCylinder(5, 4).Shape()).Shape(),
+                   file("pipe.brep").c_str());
+  const std::string options = "pipe.brep --gamma 0.5 --relative-distance 0.02 --json pipe.json --out pipe.off";
+  const Result reported = run(options + " --self-intersections report");
+  EXPECT_EQ(1, reported.status) << reported.err;
+  EXPECT_NE(std::string::npos, reported.out.find("THE MESH INTERSECTS ITSELF"));
+  const auto intersections = [&] { return nlohmann::json::parse(content(file("pipe.json")))["self_intersections"]; };
+  ASSERT_EQ(1u, intersections().size());
+  EXPECT_FALSE(intersections()[0]["of_shape"].get<bool>());
+  EXPECT_EQ(0, run(options + " --self-intersections refine").status);
+  EXPECT_EQ(0u, intersections().size());
+  EXPECT_EQ(0, run(options + " --self-intersections ignore").status);
 }
 
 TEST_F(Mesh_cad_program, sews_the_faces_of_an_iges_file)

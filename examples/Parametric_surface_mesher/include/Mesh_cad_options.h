@@ -23,7 +23,7 @@
 struct Mesh_cad_options
 {
   std::string input, out, picture, json, unit = "MM";
-  std::string face_list, face_sizes, edge_sizes;
+  std::string face_list, face_sizes, edge_sizes, self_intersections = "report";
   std::vector<std::string> sphere_list, part_lists;
   double max_edge = 0, min_edge = 0, distance = 0, detail = 0; // 0 if not given
   double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8, growth = 0;
@@ -74,6 +74,9 @@ const char* const conclusion =
   "  tiny_edges, sliver_faces       edges shorter than 1/1000 of the diagonal; faces with\n"
   "                                 4 pi area / perimeter^2 below 0.01\n"
   "  closed, shape_closed           whether the mesh, and the shape, has no border\n"
+  "  self_intersections             pairs of faces of one solid, or faces, of which triangles pass through\n"
+  "                                 each other: the number of pairs of triangles, a place,\n"
+  "                                 and whether the shape itself meets itself there\n"
   "  distance                       the largest distance measured from surfaces and edges to the mesh\n"
   "  distance_over_diagonal         the same as a share of the diagonal of the shape's bounding box\n"
   "  second_order                   of six-node triangles: their smallest scaled Jacobian (1: straight,\n"
@@ -92,8 +95,8 @@ const char* const conclusion =
   "  seconds                        processor time: reading, model, meshing, measuring\n"
   "\n"
   "Exit status: 0 if all faces are meshed, or closed up; 1 if some are left out, and the files\n"
-  "are written without them; 2 after an error, which is one line on the standard error output,\n"
-  "and no file is written.\n";
+  "are written without them, or if the mesh of a solid intersects itself where the shape does not;\n"
+  "2 after an error, which is one line on the standard error output, and no file is written.\n";
 
 inline po::options_description described_options(Mesh_cad_options& o)
 {
@@ -115,6 +118,9 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("edge-size", text(o.edge_sizes, "E:L,..."), "wanted edge lengths on single edges of the shape")
     ("sphere-size", po::value<std::vector<std::string>>(&o.sphere_list)->value_name("X,Y,Z,R:L"),
      "wanted edge length L in the sphere of radius R around the point X,Y,Z, growing outside by 0.2 of the distance; may be given several times");
+  criteria.add_options()
+    ("self-intersections", text(o.self_intersections, "WHAT"),
+     "triangles of one solid that pass through each other: refine (mesh again with shorter edges there, as far as that helps; list the rest), report or ignore (report)");
   mesh_patch::add_sweeps(criteria, o.sweeps);
   po::options_description input("Input", 92);
   input.add_options()
@@ -202,6 +208,8 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--fuzzy: the distance must be a finite number, at least 0");
   if(given.count("fuzzy") != 0 && !o.is_conformal)
     throw Usage_error("--fuzzy has a meaning only with --conformal");
+  if(o.self_intersections != "refine" && o.self_intersections != "report" && o.self_intersections != "ignore")
+    throw Usage_error("--self-intersections: '" + o.self_intersections + "' must be refine, report or ignore");
   mesh_patch::check_sweeps(o.sweeps);
   mesh_patch::check_order(o.order);
   if(o.threads == 0 || o.threads > 1024)

@@ -5,6 +5,7 @@
 #ifndef MESH_CAD_OUTPUT_H
 #define MESH_CAD_OUTPUT_H
 
+#include "Mesh_cad_intersections.h"
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_result.h"
 #include "Output_files.h"
@@ -212,6 +213,7 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"below_10_at_corners", m.below_10_at_corners},
           {"tiny_edges", numbers_from_1(m.tiny_edges)},
           {"sliver_faces", numbers_from_1(faces_of_shape(result, m.sliver_faces))},
+          {"self_intersections", json_of_intersections(result)},
           {"distance", m.distance},
           {"distance_over_diagonal", m.distance / result.shape.diagonal},
           {"unmet_by", mesh_patch::json_of_unmet(result.report)},
@@ -222,7 +224,7 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
                        {"meshing", result.meshing_seconds}, {"second_order", result.second_order_seconds},
                        {"measuring", result.measuring_seconds}}},
           {"meshing_phases", {{"division", s.division}, {"triangulation", s.triangulation}, {"refinement", s.refinement},
-                              {"improvement", s.improvement}, {"output", s.output}}}};
+                              {"improvement", s.improvement}, {"intersections", s.intersections}, {"output", s.output}}}};
 }
 
 // Names that are not in UTF-8 lose what is not.
@@ -361,6 +363,7 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
   out << "\n";
   print_shape(out, result);
   print_details(out, result);
+  print_intersections(out, result);
   print_angles(out, result);
   if(!m.tiny_edges.empty() || !m.sliver_faces.empty())
     out << "  " << mesh_patch::plural(m.tiny_edges.size(), "tiny edge") << ", "

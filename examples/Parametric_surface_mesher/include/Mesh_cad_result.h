@@ -165,6 +165,10 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_optio
   const double max_edge = o.max_edge > 0 ? o.max_edge : (std::max)(diagonal / 20, o.min_edge);
   criteria.set_max_edge(max_edge).set_min_edge(o.min_edge > 0 ? o.min_edge : (std::min)(diagonal / 1000, max_edge));
   criteria.set_gamma(o.gamma).set_angle(o.angle).set_closeness(o.closeness).set_growth(o.growth);
+  using CGAL::Parametric_surface_mesher::Self_intersections;
+  criteria.set_self_intersections(o.self_intersections == "ignore"   ? Self_intersections::IGNORED
+                                  : o.self_intersections == "report" ? Self_intersections::REPORTED
+                                                                     : Self_intersections::REFINED);
   if(o.sweeps)
     criteria.set_max_number_of_sweeps(*o.sweeps);
   criteria.set_distance(o.distance > 0 ? o.distance : o.relative_distance * diagonal);

@@ -80,6 +80,9 @@ void scale_lengths(double factor, Result& result)
     for(double& coordinate : detail.place)
       coordinate *= factor;
   }
+  for(auto& intersection : result.report.intersections)
+    for(double& coordinate : intersection.place)
+      coordinate *= factor;
   if(result.criteria.detail())
     result.criteria.set_detail(factor * *result.criteria.detail());
   if(result.criteria.distance())

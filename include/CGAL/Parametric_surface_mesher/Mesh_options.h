@@ -30,6 +30,18 @@ enum class Curve_deviation
 };
 
 /// \ingroup PkgParametricSurfaceMesherRef
+/// what is done about triangles of one solid that pass through each other, or lie on each other: see
+/// `Parametric_surface_model_3::Face::solid`.
+enum class Self_intersections
+{
+  IGNORED,  ///< they are not looked for
+  REPORTED, ///< they are listed in the report
+  /// the model is meshed again, with shorter edges where facets pass through each other though their surfaces do not; what is left is
+  /// listed in the report
+  REFINED
+};
+
+/// \ingroup PkgParametricSurfaceMesherRef
 /// where the refinement puts new points.
 enum class Mesh_point_placement
 {
@@ -69,6 +81,7 @@ struct Tolerance_options
   std::optional<double> detail;   ///< width of detail that may vanish; by default all is kept
   std::size_t feature_resolution = 64; ///< lines in either direction on which features are looked for
   Curve_deviation curve_deviation = Curve_deviation::HEIGHT_OVER_CHORD; ///< measure of the boundary division
+  Self_intersections self_intersections = Self_intersections::IGNORED;  ///< what is done about them
 };
 
 /// \ingroup PkgParametricSurfaceMesherRef

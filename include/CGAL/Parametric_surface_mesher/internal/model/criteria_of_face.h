@@ -30,6 +30,8 @@ Criteria criteria_of_face(const Criteria& criteria, const Face& face)
 {
   Criteria result = criteria;
   limit_max_edge(face.max_edge, result);
+  if(face.min_edge > 0)
+    result.set_min_edge((std::min)(result.min_edge(), face.min_edge));
   if(face.sizing_field)
     result.set_sizing_field(face.sizing_field);
   return result;

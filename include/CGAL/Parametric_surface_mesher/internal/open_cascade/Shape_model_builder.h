@@ -25,6 +25,8 @@
 #include <Bnd_Box.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_DataMapOfShapeInteger.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
@@ -38,6 +40,7 @@
 #include <exception>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -232,9 +235,12 @@ private:
     return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
   }
 
-  // Sets the shells. A face that two solids share belongs to the shells of both.
+  // Sets the shells. A face that two solids share belongs to the shells of both. A solid has the number of its first shell.
   void add_shells(const TopoDS_Shape& shape)
   {
+    TopTools_IndexedDataMapOfShapeListOfShape solids_of_shells;
+    TopExp::MapShapesAndAncestors(shape, TopAbs_SHELL, TopAbs_SOLID, solids_of_shells);
+    TopTools_DataMapOfShapeInteger solids; // the number of the first shell of each
     std::size_t number = 0;
     TopTools_MapOfShape shells;
     for(TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next())
@@ -242,9 +248,13 @@ private:
         TopTools_ListOfShape faces;
         for(TopExp_Explorer face(shell.Current(), TopAbs_FACE); face.More(); face.Next())
           faces.Append(face.Current());
-        add_shell(faces, number++);
+        const TopTools_ListOfShape& solids_of_shell = solids_of_shells.FindFromKey(shell.Current());
+        std::size_t solid = number;
+        if(!solids_of_shell.IsEmpty() && !solids.Bind(solids_of_shell.First(), int(number)))
+          solid = std::size_t(solids.Find(solids_of_shell.First()));
+        add_shell(faces, number++, solid);
       }
-    add_shell(free_faces(shape), number);
+    add_shell(free_faces(shape), number, std::nullopt);
   }
 
   // The faces outside of shells. One that a shell has, too, is noted, and not meshed again.
@@ -265,7 +275,7 @@ private:
     return result;
   }
 
-  void add_shell(const TopTools_ListOfShape& faces, std::size_t shell)
+  void add_shell(const TopTools_ListOfShape& faces, std::size_t shell, std::optional<std::size_t> solid)
   {
     std::map<int, int> numbers_of_uses; // by edge
     for(const TopoDS_Shape& face : faces) {
@@ -273,13 +283,13 @@ private:
         if(is_on_boundary(edge.Current()) && !BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
           ++numbers_of_uses[m_edges.FindIndex(edge.Current())];
       if(m_closed_up.count(std::size_t(m_faces.FindIndex(face)) - 1) == 0)
-        add_face(TopoDS::Face(face), shell);
+        add_face(TopoDS::Face(face), shell, solid);
     }
     for(const auto& edge : numbers_of_uses)
       m_result.is_shape_closed = m_result.is_shape_closed && edge.second == 2;
   }
 
-  void add_face(const TopoDS_Face& face, std::size_t shell)
+  void add_face(const TopoDS_Face& face, std::size_t shell, std::optional<std::size_t> solid)
   {
     const std::size_t number = std::size_t(m_faces.FindIndex(face)) - 1;
     try {
@@ -287,6 +297,7 @@ private:
       Model::Face result = guarded(build);
       result.is_reversed = face.Orientation() == TopAbs_REVERSED;
       result.shell = shell;
+      result.solid = solid;
       const auto front = m_fronts.emplace(number, model().faces().size());
       if(!front.second && model().faces()[front.first->second].shell != shell && m_backs.insert(number).second)
         result.other_side_of = front.first->second;

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The authors of Parametric_surface_mesher.
+// All rights reserved.
+//
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_INTERSECTION_SEARCH_H
+#define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_INTERSECTION_SEARCH_H
+
+#include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Box_hierarchy.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Intersecting_triangles.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Parametric_surface_mesher {
+namespace internal {
+
+// Finds where a mesh intersects itself.
+template <class Kernel>
+class Intersection_search
+{
+public:
+  typedef Indexed_mesh<Kernel> Mesh;
+
+  // A triangle: its part of the mesh, and its number there.
+  struct Place
+  {
+    std::uint32_t part, face;
+
+    friend bool operator<(const Place& a, const Place& b) { return a.part < b.part || (a.part == b.part && a.face < b.face); }
+  };
+
+  typedef std::array<Place, 2> Pair; // in ascending order
+
+private:
+  const Mesh& m_mesh;
+
+public:
+  // \pre the parts of the mesh have their places in it
+  explicit Intersection_search(const Mesh& mesh) : m_mesh(mesh) {}
+
+  // All pairs of triangles of one solid that pass through each other or lie on each other, in ascending order. `solids`: by patch;
+  // triangles of patches without one are not looked at
+  std::vector<Pair> operator()(const std::vector<std::optional<std::size_t>>& solids) const
+  {
+    std::map<std::size_t, std::vector<std::size_t>> parts; // by solid
+    for(std::size_t p = 0; p < m_mesh.parts.size(); ++p)
+      if(solids[m_mesh.parts[p].patch])
+        parts[*solids[m_mesh.parts[p].patch]].push_back(p);
+    std::vector<Pair> result;
+    for(const auto& solid : parts)
+      append_pairs(solid.second, result);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  Intersecting_triangles::Triangle triangle(const Place& place) const
+  {
+    const auto& part = m_mesh.parts[place.part];
+    const auto& face = part.faces[place.face];
+    return {point(part, face[0]), point(part, face[1]), point(part, face[2])};
+  }
+
+private:
+  Intersecting_triangles::Point_3 point(const typename Mesh::Part& part, std::size_t v) const
+  {
+    const auto& p = v < m_mesh.points.size() ? m_mesh.points[v] : part.points[v - part.first_point];
+    return {to_double(p.x()), to_double(p.y()), to_double(p.z())};
+  }
+
+  void append_pairs(const std::vector<std::size_t>& parts, std::vector<Pair>& result) const
+  {
+    std::vector<Place> places;
+    std::vector<Small_box> boxes;
+    for(const std::size_t p : parts)
+      for(std::size_t f = 0; f < m_mesh.parts[p].faces.size(); ++f) {
+        places.push_back({std::uint32_t(p), std::uint32_t(f)});
+        boxes.emplace_back();
+        for(const auto& corner : triangle(places.back()))
+          boxes.back().add(corner);
+      }
+    const Intersecting_triangles intersect;
+    Box_hierarchy(boxes).for_each_overlapping_pair([&](std::size_t i, std::size_t k) {
+      if(intersect(triangle(places[i]), triangle(places[k])))
+        result.push_back({(std::min)(places[i], places[k]), (std::max)(places[i], places[k])});
+    });
+  }
+};
+
+// The pairs of triangles by the patches that they lie on. `is_of_surfaces`: tells of a pair whether the surfaces themselves meet there
+template <class Kernel, class Predicate>
+std::vector<Parametric_surface_mesh_report::Intersection>
+report_of_intersections(const Intersection_search<Kernel>& search, const Indexed_mesh<Kernel>& mesh,
+                        const std::vector<typename Intersection_search<Kernel>::Pair>& pairs, const Predicate& is_of_surfaces)
+{
+  std::map<std::pair<std::size_t, std::size_t>, Parametric_surface_mesh_report::Intersection> intersections;
+  for(const auto& pair : pairs) {
+    const std::pair<std::size_t, std::size_t> patches = std::minmax(mesh.parts[pair[0].part].patch, mesh.parts[pair[1].part].patch);
+    const auto corner = search.triangle(pair[0])[0];
+    auto& intersection = intersections.emplace(patches, Parametric_surface_mesh_report::Intersection{
+      {patches.first, patches.second}, 0, {corner.x(), corner.y(), corner.z()}, false}).first->second;
+    ++intersection.number_of_pairs;
+    intersection.is_of_surfaces = intersection.is_of_surfaces || is_of_surfaces(pair);
+  }
+  std::vector<Parametric_surface_mesh_report::Intersection> result;
+  for(const auto& intersection : intersections)
+    result.push_back(intersection.second);
+  return result;
+}
+
+} // namespace internal
+} // namespace Parametric_surface_mesher
+} // namespace CGAL
+
+#endif // CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OUTPUT_INTERSECTION_SEARCH_H
