@@ -43,6 +43,9 @@ public:
   typedef Parametric_surface_mesher::Sizing_options::Sizing_field Sizing_field;
 
 private:
+  // In degrees. Measured on CAD models: 33 in place of 30 makes up to twice as many triangles, 34 up to six times, with smaller smallest angles.
+  static constexpr double largest_angle_of_refinement = 32;
+
   Parametric_surface_mesher::Sizing_options m_sizing;
   Parametric_surface_mesher::Tolerance_options m_tolerances;
   Parametric_surface_mesher::Improvement_options m_improvement;
@@ -84,8 +87,8 @@ public:
     return *this;
   }
 
-  /// the bound of the smallest angle, in degrees. Default: 30. With more than 33 degrees many
-  /// triangles may fail; they are reported. Range: at least 0 and below 60.
+  /// the bound of the smallest angle, in degrees. Default: 30. Refinement goes for no more than 32 degrees, since with more it makes
+  /// many triangles and few better ones; improvement aims at what is above that. Triangles that are left with smaller angles are reported. Range: at least 0 and below 60.
   Parametric_surface_mesh_criteria& set_angle(double degrees)
   {
     Parametric_surface_mesher::internal::check_smallest_angle("smallest angle", degrees);
@@ -273,6 +276,8 @@ public:
   double min_edge() const { return length("minimum", m_sizing.min_edge); }
 
   double gamma() const { return m_tolerances.gamma; }
+  /// the part of `angle()` that refinement goes for: at most 32 degrees.
+  double angle_of_refinement() const { return (std::min)(angle(), largest_angle_of_refinement); }
   double angle() const { return m_tolerances.angle; }
   double size_factor() const { return m_sizing.size_factor; }
   double growth() const { return m_sizing.growth; }

@@ -266,13 +266,27 @@ TEST(Verdicts, cause_is_what_was_found)
   EXPECT_LE(inside_for_boundary, report.number_of_faces / 50);
 }
 
-// An angle that most triangles cannot have keeps repair busy for longer than it may take.
+// Angles that thousands of triangles cannot have, since a side is finely divided and inner edges must be long, keep repair busy for longer than
+// it may take.
 TEST(Verdicts, work_limit_is_a_cause)
 {
-  const Sample skew = make_sample("skew");
-  const Report report = mesh_and_audit(skew.surface, skew.domain, Criteria().set_max_edge(0.1).set_angle(50));
+  const Sample flat = make_sample("flat");
+  Domain domain = flat.domain;
+  domain.loops().front().front().set_number_of_edges(5000);
+  const Report report = mesh_and_audit(flat.surface, domain, Criteria().set_max_edge(0.1).set_min_edge(0.05));
   EXPECT_GT(report.number_of_work_limits, 0u);
   EXPECT_GT(report.count(Mesh_criterion::ANGLE, Unmet_cause::WORK_LIMIT), 0u);
+}
+
+// An angle that most triangles cannot have makes no more triangles than one that they can have, and is not forgotten.
+TEST(Verdicts, angle_limit_is_a_cause)
+{
+  const Sample skew = make_sample("skew");
+  const Report usual = mesh_and_audit(skew.surface, skew.domain, Criteria().set_max_edge(0.1)),
+               report = mesh_and_audit(skew.surface, skew.domain, Criteria().set_max_edge(0.1).set_angle(50));
+  EXPECT_GT(report.count(Mesh_criterion::ANGLE, Unmet_cause::ANGLE_LIMIT), 0u);
+  EXPECT_LT(report.number_of_faces, 1.2 * double(usual.number_of_faces));
+  EXPECT_GT(report.smallest_angle, 32 - 1e-9);
 }
 
 TEST(Verdicts, audit_of_patches)

@@ -43,7 +43,9 @@ enum class Unmet_cause : std::uint8_t
   NO_BETTER_POINT, ///< no point that was tried makes the triangles around it better
   VERTEX_LIMIT,    ///< the maximum number of vertices was reached
   WORK_LIMIT,      ///< a bound on the work was reached, which keeps difficult places from taking all the time
-  STOPPED          ///< the visitor stopped the refinement
+  STOPPED,         ///< the visitor stopped the refinement
+  /// the angle is smaller than what was asked for, but not smaller than 32 degrees: refinement goes for no more, and improvement has not found more
+  ANGLE_LIMIT
 };
 
 /// \ingroup PkgParametricSurfaceMesherRef
@@ -56,10 +58,10 @@ inline constexpr std::array<Mesh_criterion, 6> all_criteria()
 
 /// \ingroup PkgParametricSurfaceMesherRef
 /// all causes.
-inline constexpr std::array<Unmet_cause, 7> all_causes()
+inline constexpr std::array<Unmet_cause, 8> all_causes()
 {
   return {Unmet_cause::BOUNDARY,     Unmet_cause::MINIMUM_EDGE, Unmet_cause::SPACING, Unmet_cause::NO_BETTER_POINT,
-          Unmet_cause::VERTEX_LIMIT, Unmet_cause::WORK_LIMIT,   Unmet_cause::STOPPED};
+          Unmet_cause::VERTEX_LIMIT, Unmet_cause::WORK_LIMIT,   Unmet_cause::STOPPED,      Unmet_cause::ANGLE_LIMIT};
 }
 
 /// \ingroup PkgParametricSurfaceMesherRef
@@ -120,6 +122,7 @@ inline const char* name(Unmet_cause cause)
   case Unmet_cause::VERTEX_LIMIT: return "vertex limit";
   case Unmet_cause::WORK_LIMIT: return "work limit";
   case Unmet_cause::STOPPED: return "stop by the visitor";
+  case Unmet_cause::ANGLE_LIMIT: return "limit of angles by refinement";
   }
   return "";
 }

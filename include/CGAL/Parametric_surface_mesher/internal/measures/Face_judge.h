@@ -119,6 +119,14 @@ public:
     return internal::is_inverted(f, m_oracle);
   }
 
+  // Whether a face has an angle whose squared sine is below that given.
+  template <class Face_handle>
+  bool has_smaller_angle(Face_handle f, double squared_sine) const
+  {
+    const Shape shape = this->shape(f);
+    return 4 * squared_sine * shape.product > shape.sine;
+  }
+
   // all criteria that a face fails
   template <class Face_handle>
   Criterion_set failed(Face_handle f) const

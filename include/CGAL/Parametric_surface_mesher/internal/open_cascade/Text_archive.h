@@ -150,8 +150,11 @@ private:
     bool is_there = false;
     m_in >> is_there;
     value.reset();
-    if(m_in && is_there)
-      read(value.emplace());
+    if(m_in && is_there) {
+      T there{}; // clang takes types within a class for not constructible by emplace()
+      read(there);
+      value = there;
+    }
   }
 
   template <class T>

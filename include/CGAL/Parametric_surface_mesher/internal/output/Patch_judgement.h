@@ -26,11 +26,38 @@ class Patch_judgement
 
   const Judge& m_judge;
   Refinement& m_refinement; // tells why faces were left
+  const double m_squared_sine; // of the angle that was asked for, if that is more than the judge asks for, or 0
 
 public:
-  Patch_judgement(const Judge& judge, Refinement& refinement) : m_judge(judge), m_refinement(refinement) {}
+  // `angle`: in degrees, asked for beyond what the judge asks for; 0 for none
+  Patch_judgement(const Judge& judge, Refinement& refinement, double angle)
+    : m_judge(judge), m_refinement(refinement), m_squared_sine(squared_sine_of_degrees(angle))
+  {}
 
   void operator()(Face_handle face) const
+  {
+    judge(face);
+    judge_wanted_angle(face);
+  }
+
+  // The same on a patch that was not finished: who has stopped it does not want to wait for evaluations of the surface, so
+  // faces are judged by their shapes alone unless they were judged whole before.
+  void judge_after_stop(Face_handle face) const
+  {
+    const Verdict before = face->verdict();
+    if(before.scope() == Scope::WHOLE && !before.fails()) {
+      judge_wanted_angle(face);
+      return;
+    }
+    Verdict verdict(before.failed() | m_judge.failed_by_shape(face), before.scope() == Scope::WHOLE ? Scope::WHOLE : Scope::SHAPE);
+    if(verdict.fails())
+      verdict.refuse(before.is_refused() ? before.refusal() : Unmet_cause::STOPPED);
+    face->set_verdict(verdict);
+    judge_wanted_angle(face);
+  }
+
+private:
+  void judge(Face_handle face) const
   {
     if(face->verdict().scope() != Scope::WHOLE) // split since it was refined
       face->set_verdict({m_judge.first_failed(face), Scope::WHOLE});
@@ -47,20 +74,16 @@ public:
       face->refuse(cause_at_edges(face));
   }
 
-  // The same on a patch that was not finished: who has stopped it does not want to wait for evaluations of the surface, so
-  // faces are judged by their shapes alone unless they were judged whole before.
-  void judge_after_stop(Face_handle face) const
+  void judge_wanted_angle(Face_handle face) const
   {
-    const Verdict before = face->verdict();
-    if(before.scope() == Scope::WHOLE && !before.fails())
+    if(m_squared_sine == 0 || face->verdict().fails(Mesh_criterion::ANGLE) || !m_judge.has_smaller_angle(face, m_squared_sine))
       return;
-    Verdict verdict(before.failed() | m_judge.failed_by_shape(face), before.scope() == Scope::WHOLE ? Scope::WHOLE : Scope::SHAPE);
-    if(verdict.fails())
-      verdict.refuse(before.is_refused() ? before.refusal() : Unmet_cause::STOPPED);
+    const Verdict before = face->verdict();
+    Verdict verdict(before.failed() | Mesh_criterion::ANGLE, before.scope());
+    verdict.refuse(before.is_refused() ? before.refusal() : Unmet_cause::ANGLE_LIMIT);
     face->set_verdict(verdict);
   }
 
-private:
   bool can_refine_all_edges(Face_handle face) const
   {
     return m_judge.can_refine(face, 0) && m_judge.can_refine(face, 1) && m_judge.can_refine(face, 2);

@@ -31,6 +31,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/triangulate_boundary.h>
 #include <CGAL/Parametric_surface_oracle_3.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -43,6 +44,9 @@ template <class Criteria, class Chart>
 Criteria chart_criteria(const Criteria& criteria, const Chart& chart)
 {
   Criteria result = criteria;
+  result.set_angle(criteria.angle_of_refinement());
+  if(criteria.angle() > result.angle() && criteria.improvement_angle() > 0)
+    result.set_improvement_angle((std::max)(criteria.angle(), criteria.improvement_angle()));
   if(criteria.sizing_field() && !chart.is_identity())
     result.set_sizing_field([field = criteria.sizing_field(), chart](double x, double y) {
       const auto uv = chart.domain_point(typename Chart::Point_2(x, y));
@@ -69,6 +73,7 @@ private:
   const Surface m_surface;
   const Charted_oracle m_oracle;
   const Criteria m_criteria;
+  const double m_angle; // that was asked for, which may be more than what refinement goes for
   const Charted_boundary<Kernel>& m_boundary; // of the patch
   const Boundary_loops<Kernel> m_loops;       // in the chart
   const Evaluator m_evaluator;
@@ -88,7 +93,7 @@ public:
   Patch_mesher(const Oracle& oracle, const Criteria& criteria, const Charted_boundary<Kernel>& boundary,
                Boundary_loops<Kernel> loops, std::size_t first_index_of_cuts, Mesh_progress& progress)
     : m_surface(oracle.surface(), boundary.chart()), m_oracle(m_surface, oracle.metric(), oracle.singular_points()),
-      m_criteria(chart_criteria(criteria, boundary.chart())), m_boundary(boundary), m_loops(std::move(loops)),
+      m_criteria(chart_criteria(criteria, boundary.chart())), m_angle(criteria.angle()), m_boundary(boundary), m_loops(std::move(loops)),
       m_evaluator(m_oracle, m_criteria, boundary.box()), m_progress(progress),
       m_judge(make_judge(m_oracle, m_criteria)), m_first_index_of_cuts(first_index_of_cuts),
       m_refine(m_triangulation, m_evaluator, m_criteria, m_judge, m_progress)
@@ -161,7 +166,7 @@ public:
     report.number_of_replaced_tensors += m_report.number_of_replaced_tensors;
     report.number_of_work_limits += m_report.number_of_work_limits;
     Phase_timer timer(report.seconds.output);
-    Patch_judgement<Kernel, Judge, Refinement> judge(m_judge, m_refine);
+    Patch_judgement<Kernel, Judge, Refinement> judge(m_judge, m_refine, m_angle > m_criteria.angle() ? m_angle : 0);
     Partial_mesh<Kernel> part;
     Patch_collector<Kernel> collect(m_triangulation, m_boundary, part, report);
     if(is_stopped())
