@@ -15,6 +15,12 @@ if(OpenCASCADE_FOUND AND NOT TARGET Parametric_surface_mesher::Open_cascade_supp
   else()
     set(open_cascade_readers TKXDESTEP TKXDEIGES TKSTEP TKSTEPBase TKIGES)
   endif()
+  # The writer of .glb files, which are in the package of the readers.
+  foreach(name TKDEGLTF TKRWMesh)
+    if(TARGET ${name})
+      list(APPEND open_cascade_readers ${name})
+    endif()
+  endforeach()
   set_target_properties(Parametric_surface_mesher::Open_cascade_support PROPERTIES
     INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${OpenCASCADE_INCLUDE_DIR}"
     INTERFACE_INCLUDE_DIRECTORIES "${OpenCASCADE_INCLUDE_DIR}"

@@ -8,7 +8,7 @@ set -euo pipefail
 packages=(
   g++ make cmake
   libcgal-dev libeigen3-dev libgmp-dev libmpfr-dev
-  libboost-dev libboost-program-options-dev nlohmann-json3-dev
+  libboost-dev libboost-program-options-dev libboost-iostreams-dev zlib1g-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
   libtet1.5-dev
   libtbb-dev

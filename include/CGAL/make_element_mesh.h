@@ -22,7 +22,8 @@ namespace CGAL {
 
 makes an element mesh of the mesh of a CAD shape: triangles with their faces and parts, lines along edges, points at vertices, the places of
 nodes, and groups of what has names, colours, layers, or is an assembly. Its nodes are the vertices of `tm`, its triangles
-the faces of `tm`, in their order.
+the faces of `tm`, in their order. Where pieces of `tm` meet in a vertex, an edge or a face of the model, their copies of a point are one node, and of the triangles on
+both sides of a face between two parts those of the first part stay: the element mesh is one conforming complex.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph` and `VertexListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -43,7 +44,7 @@ Element_mesh_3 make_element_mesh(const Open_cascade_model_3& shape, const Open_c
 /*!
 \ingroup PkgParametricSurfaceMesherFiles
 
-makes a mesh of elements of second order, as above. The nodes in the middles of the sides come after the vertices of `tm`.
+makes a mesh of elements of second order, as above. The nodes in the middles of the sides come after those at the vertices of `tm`.
 
 \tparam MidSidePointMap a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
         `%Point_3` as value type

@@ -10,12 +10,15 @@
 #include <TopTools_ListOfShape.hxx>
 #include <gp_Pnt.hxx>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -28,6 +31,19 @@ protected:
   {
     Program_test::SetUp();
     write_named_assembly(file("bridge.step"));
+  }
+
+  // The boxes from 0 to 1 and from 1 to 2.
+  void write_two_boxes(const std::string& name) const
+  {
+    BRepAlgoAPI_Splitter splitter;
+    TopTools_ListOfShape arguments, tools;
+    arguments.Append(BRepPrimAPI_MakeBox(2, 1, 1).Shape());
+    tools.Append(BRepPrimAPI_MakeBox(gp_Pnt(1, -1, -1), 3, 3, 3).Shape());
+    splitter.SetArguments(arguments);
+    splitter.SetTools(tools);
+    splitter.Build();
+    BRepTools::Write(splitter.Shape(), file(name).c_str());
   }
 
   static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -90,14 +106,7 @@ TEST_F(Mesh_cad_groups, names_in_numbers)
 // Two boxes with a common face.
 TEST_F(Mesh_cad_groups, a_face_between_two_parts)
 {
-  BRepAlgoAPI_Splitter splitter;
-  TopTools_ListOfShape arguments, tools;
-  arguments.Append(BRepPrimAPI_MakeBox(2, 1, 1).Shape());
-  tools.Append(BRepPrimAPI_MakeBox(gp_Pnt(1, -1, -1), 3, 3, 3).Shape());
-  splitter.SetArguments(arguments);
-  splitter.SetTools(tools);
-  splitter.Build();
-  BRepTools::Write(splitter.Shape(), file("two.brep").c_str());
+  write_two_boxes("two.brep");
   for(const char* parts : {"", "--parts solid_1", "--parts solid_2"}) {
     const nlohmann::json numbers = json(std::string("two.brep --quiet ") + parts);
     EXPECT_EQ(numbers["meshed_faces"], *parts == 0 ? 11 : 6) << parts;
@@ -105,7 +114,17 @@ TEST_F(Mesh_cad_groups, a_face_between_two_parts)
   }
   ASSERT_EQ(run("two.brep --quiet --out two.inp").status, 0);
   const std::string inp = content(file("two.inp"));
-  EXPECT_TRUE(has(inp, "_SHEET_"));
+  const std::string solid_1 = inp.substr(inp.find("*ELSET, ELSET=SOLID_1\n")), solid_2 = inp.substr(inp.find("*ELSET, ELSET=SOLID_2\n"));
+  std::set<std::string> faces[2];
+  for(const std::string* solid : {&solid_1, &solid_2}) {
+    std::istringstream names(solid->substr(solid->find('\n')));
+    for(std::string name; names >> name && name.compare(0, 5, "FACE_") == 0;)
+      EXPECT_TRUE(faces[solid == &solid_2].insert(name).second);
+  }
+  EXPECT_EQ(faces[0].size(), 6u);
+  EXPECT_EQ(faces[1].size(), 6u);
+  faces[0].insert(faces[1].begin(), faces[1].end());
+  EXPECT_EQ(faces[0].size(), 11u); // one is in both
   EXPECT_TRUE(has(inp, "*ELSET, ELSET=SOLID_1\n"));
   EXPECT_TRUE(has(inp, "*ELSET, ELSET=SOLID_2\n"));
 }
@@ -141,6 +160,48 @@ TEST_F(Mesh_cad_groups, gmsh_fills_a_part)
   EXPECT_GT(number_by_type[2], 0u);
 }
 
+// Two boxes with a common face, whose tetrahedra fit together: one complex of nodes.
+TEST_F(Mesh_cad_groups, gmsh_fills_parts_that_share_a_face)
+{
+  if(!succeeds("command -v gmsh"))
+    GTEST_SKIP() << "gmsh is not installed";
+  write_two_boxes("two.brep");
+  ASSERT_EQ(run("two.brep --quiet --max-edge 0.3 --out two.msh").status, 0);
+  const std::string msh = content(file("two.msh"));
+  std::string loops;
+  for(int solid : {1, 2}) {
+    const std::size_t end = msh.find(" \"solid_" + std::to_string(solid)), begin = msh.rfind("\n2 ", end) + 3;
+    ASSERT_NE(end, std::string::npos);
+    const std::string number = std::to_string(solid);
+    loops += "Surface Loop(" + number + ") = Physical Surface {" + msh.substr(begin, end - begin) + "};\nVolume(" + number + ") = {" + number + "};\n";
+  }
+  std::ofstream(file("two.geo")) << "Merge \"two.msh\";\n" << loops << "Physical Volume(\"both\") = {1, 2};\n";
+  ASSERT_TRUE(succeeds("cd " + file("") + " && gmsh two.geo -3 -format msh22 -setnumber Mesh.SaveAll 1 -o filled.msh"));
+  std::map<std::set<std::size_t>, int> uses; // of sides of tetrahedra
+  std::size_t number_of_triangles = 0;
+  std::istringstream lines(content(file("filled.msh")));
+  for(std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::vector<std::size_t> element;
+    for(std::size_t word; words >> word;)
+      element.push_back(word);
+    if(element.size() == 9 && element[1] == 4)
+      for(std::size_t i = 5; i < 9; ++i) {
+        std::set<std::size_t> side(element.begin() + 5, element.end());
+        side.erase(element[i]);
+        ++uses[side];
+      }
+    number_of_triangles += element.size() == 8 && element[1] == 2;
+  }
+  EXPECT_GT(uses.size(), 100u);
+  std::size_t number_on_border = 0;
+  for(const auto& side : uses)
+    number_on_border += side.second == 1;
+  const std::size_t number_of_sides = json("two.brep --quiet --max-edge 0.3")["triangles"];
+  EXPECT_LT(number_of_triangles, number_of_sides); // which has both sides of the common face
+  EXPECT_EQ(number_on_border, 2 * number_of_triangles - number_of_sides);
+}
+
 TEST_F(Mesh_cad_groups, meshio_reads_groups)
 {
   if(!succeeds("/usr/bin/python3 -c 'import meshio'"))
@@ -163,6 +224,45 @@ TEST_F(Mesh_cad_groups, meshio_reads_groups)
     EXPECT_TRUE(has(text, name == std::string("bridge.inp") ? "\"RIGHT_PLATE\"" : "\"right plate\"")) << text;
     EXPECT_TRUE(has(text, name == std::string("bridge.inp") ? "\"TOP\"" : "\"top\"")) << text;
   }
+}
+
+TEST_F(Mesh_cad_groups, binary_files)
+{
+  const nlohmann::json numbers = json("bridge.step --quiet --binary --out bridge.stl");
+  const std::size_t triangles = numbers["triangles"];
+  EXPECT_EQ(std::filesystem::file_size(file("bridge.stl")), 84 + 50 * triangles);
+  ASSERT_EQ(run("bridge.step --quiet --out text.stl").status, 0);
+  const std::string stl = content(file("text.stl"));
+  for(const char* solid : {"solid left plate\n", "solid right plate\n", "solid solid_3\n", "solid solid_4\n", "solid pin, the only one\n"})
+    EXPECT_TRUE(has(stl, solid)) << solid;
+  ASSERT_EQ(run("bridge.step --quiet --out bridge.vtu").status, 0);
+  const std::string vtu = content(file("bridge.vtu"));
+  for(const char* data : {"part_id", "color", "smallest_angle", "deviation", "curvature", "part_names", "face_names"})
+    EXPECT_TRUE(has(vtu, std::string("Name=\"") + data + "\"")) << data;
+  EXPECT_FALSE(has(vtu, "place_parameters"));
+  ASSERT_EQ(run("bridge.step --quiet --node-parameters --out bridge.vtu").status, 0);
+  EXPECT_TRUE(has(content(file("bridge.vtu")), "place_parameters"));
+}
+
+// A node for each part, and a material for each colour, in metres and with y upward.
+TEST_F(Mesh_cad_groups, gltf)
+{
+  ASSERT_EQ(run("bridge.step --quiet --out bridge.glb").status, 0);
+  const std::string glb = content(file("bridge.glb"));
+  ASSERT_EQ(glb.substr(0, 4), "glTF");
+  const auto byte = [&](std::size_t i) { return std::size_t(static_cast<unsigned char>(glb[i])); };
+  const std::size_t length = byte(12) + 256 * byte(13) + 65536 * byte(14);
+  const auto gltf = nlohmann::json::parse(glb.substr(20, length));
+  std::set<std::string> names;
+  for(const auto& node : gltf["nodes"])
+    names.insert(node["name"].get<std::string>());
+  EXPECT_EQ(names, (std::set<std::string>{"bridge", "left plate", "right plate", "solid_3", "solid_4", "pin, the only one"}));
+  EXPECT_EQ(gltf["materials"].size(), 4u); // gray, red, blue, and that of faces without a colour
+  double height = 0;
+  for(const auto& accessor : gltf["accessors"])
+    if(accessor.contains("max"))
+      height = std::max(height, accessor["max"][1].get<double>());
+  EXPECT_NEAR(height, 0.009, 1e-6);
 }
 
 // A plate with a fixed bottom and a pressure on its top, by their names. Pressure on a shell acts along its normal.

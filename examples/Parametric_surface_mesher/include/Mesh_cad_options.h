@@ -35,7 +35,7 @@ struct Mesh_cad_options
   std::map<std::size_t, double> max_edge_of_face, max_edge_of_edge; // from the lists of sizes
   double fuzzy = 0; // 0 for the tolerances of the file
   bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_list_wanted = false;
-  bool are_node_parameters_wanted = false;
+  bool are_node_parameters_wanted = false, is_binary = false;
 };
 
 namespace mesh_cad {
@@ -52,9 +52,11 @@ const char* const introduction =
 const char* const conclusion =
   "\n"
   "Faces and edges are counted from 1, as Open CASCADE and Gmsh count them. The files .ply, .vtu,\n"
-  ".msh and .inp hold the number of the face of each triangle. Triangles of a solid face outward.\n"
-  "The files .msh and .inp have groups: face_1, edge_1, vertex_1, ...; parts and assemblies by their\n"
-  "names; faces, edges and vertices that have names; color_rrggbb, layer_...\n"
+  ".msh, .inp, .bdf and .unv hold the number of the face of each triangle. Triangles of a solid face\n"
+  "outward. Groups of .msh, .inp and .unv: face_1, edge_1, vertex_1, ...; parts and assemblies by their\n"
+  "names; faces, edges and vertices that have names; color_rrggbb, layer_... A face between two parts\n"
+  "is there once, with common nodes, in all of these, and for both parts in .stl, .ply, .off and .obj.\n"
+  ".stl has a solid for each part, .glb (in metres) a node for each part with its colours.\n"
   "\n"
   "A face that cannot be meshed is left out and listed with the reason; the others are meshed.\n"
   "A face that is nowhere wider than a millionth of the diagonal is closed up, and listed: it has\n"
@@ -137,8 +139,9 @@ inline po::options_description described_options(Mesh_cad_options& o)
   mesh_patch::add_order(output, o.order);
   output.add_options()
     ("list", po::bool_switch(&o.is_list_wanted), "print the parts of the assembly, their sizes, and what has names, and stop; --json writes them")
-    ("out", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2) or .inp")
-    ("node-parameters", po::bool_switch(&o.are_node_parameters_wanted), "write the parameters of nodes on edges and faces, too, to .msh (Gmsh reads them, meshio does not)")
+    ("out", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv or .glb")
+    ("binary", po::bool_switch(&o.is_binary), "write .stl, .off and .ply as binary files; .vtu always is one")
+    ("node-parameters", po::bool_switch(&o.are_node_parameters_wanted), "write the parameters of nodes on edges and faces, too, to .msh (Gmsh reads them, meshio does not) and .vtu")
     ("picture", text(o.picture, "FILE"), "a picture of the mesh, as .svg")
     ("json", text(o.json, "FILE"), "the results in numbers, as .json")
     ("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors")

@@ -11,13 +11,8 @@
 #include "Output_files.h"
 #include "Unmet_count.h"
 #include "json_of_names.h"
-#include "write_element_file.h"
-#include "write_mesh_file.h"
+#include "write_mesh_cad_file.h"
 #include "write_surface_picture.h"
-
-#include <CGAL/IO/write_INP.h>
-#include <CGAL/IO/write_MSH.h>
-#include <CGAL/make_element_mesh.h>
 
 #include <nlohmann/json.hpp>
 
@@ -35,62 +30,6 @@ namespace mesh_cad {
 inline std::string title(const Mesh_cad_options& options)
 {
   return options.input.substr(options.input.find_last_of('/') + 1);
-}
-
-// They come after the vertices, in the order of the edges.
-inline void add_mid_side_nodes(const Cad_mesh& curved, Elements& elements)
-{
-  const auto& mesh = curved.mesh;
-  const std::size_t first = elements.points.size();
-  for(const auto e : mesh.edges()) {
-    const auto& p = curved.mid_side_nodes[e];
-    elements.points.push_back({p.x(), p.y(), p.z()});
-  }
-  for(const auto face : mesh.faces()) {
-    const auto h = mesh.halfedge(face);
-    const auto node = [&](auto side) { return first + std::size_t(mesh.edge(side)); };
-    elements.mid_side_nodes.push_back({node(h), node(mesh.next(h)), node(mesh.prev(h))});
-  }
-}
-
-inline Elements elements(const Mesh_cad_result& result)
-{
-  Elements elements;
-  auto arrays = mesh_picture::arrays<3>(result.mesh.mesh, [&](auto v) { return result.mesh.mesh.point(v); });
-  elements.points = std::move(arrays.first);
-  elements.triangles = std::move(arrays.second);
-  for(const auto face : result.mesh.mesh.faces())
-    elements.face_ids.push_back(result.shape.shape_faces[result.mesh.patch[face]] + 1);
-  if(result.second_order)
-    add_mid_side_nodes(result.mesh, elements);
-  return elements;
-}
-
-inline CGAL::Element_mesh_3 element_mesh(const Mesh_cad_options& options, const Mesh_cad_result& result)
-{
-  const auto places = result.mesh.places();
-  CGAL::Element_mesh_3 mesh
-    = result.second_order
-        ? CGAL::make_second_order_element_mesh(result.shape, result.names, result.mesh.mesh, result.mesh.mid_side_nodes, places)
-        : CGAL::make_element_mesh(result.shape, result.names, result.mesh.mesh, places);
-  if(!options.are_node_parameters_wanted)
-    mesh.forget_parameters();
-  return mesh;
-}
-
-inline void write_result(std::ostream& out, const std::string& file_name, const Mesh_cad_options& options, const Mesh_cad_result& result)
-{
-  if(mesh_patch::has_ending(file_name, ".vtu"))
-    write_vtu(out, elements(result));
-  else if(mesh_patch::has_ending(file_name, ".msh"))
-    CGAL::IO::write_MSH(out, element_mesh(options, result));
-  else if(mesh_patch::has_ending(file_name, ".msh2"))
-    CGAL::IO::write_MSH_2(out, element_mesh(options, result));
-  else if(mesh_patch::has_ending(file_name, ".inp"))
-    CGAL::IO::write_INP(out, element_mesh(options, result));
-  else
-    mesh_patch::write_mesh(out, file_name, result.mesh.mesh,
-                           [&](std::size_t face) { return result.shape.shape_faces[face] + 1; });
 }
 
 inline void write_picture(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
@@ -256,8 +195,8 @@ inline Output_files output_files(const Mesh_cad_options& o, const Mesh_cad_resul
     files.add(name, std::move(write));
   };
   if(o.order == 2 && !o.out.empty())
-    mesh_patch::check_ending("order 2 --out", o.out, {".vtu", ".msh", ".msh2", ".inp"});
-  add("out", o.out, {".off", ".obj", ".ply", ".stl", ".vtu", ".msh", ".msh2", ".inp"},
+    mesh_patch::check_ending("order 2 --out", o.out, {".vtu", ".msh", ".msh2", ".inp", ".bdf", ".unv"});
+  add("out", o.out, {".off", ".obj", ".ply", ".stl", ".vtu", ".msh", ".msh2", ".inp", ".bdf", ".unv", ".glb"},
       [&](std::ostream& out) { write_result(out, o.out, o, result); });
   add("picture", o.picture, {".svg"}, [&](std::ostream& out) { write_picture(out, o, result); });
   add("json", o.json, {".json"}, [&](std::ostream& out) { write_json(out, o, result); });

@@ -11,6 +11,7 @@
 #include "Progress_line.h"
 #include "Second_order_measures.h"
 #include "measure_cad_mesh.h"
+#include "triangle_data.h"
 #include "unit_of_length.h"
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
@@ -60,6 +61,7 @@ struct Mesh_cad_result
   Cad_mesh_measures measures;
   boost::optional<Second_order_measures> second_order;
   CGAL::Open_cascade_names_3 names;
+  std::vector<CGAL::Element_mesh_3::Data> triangle_data; // if the file of the mesh shows it
   std::vector<std::string> file_faults; // what the file contains and the shape lacks
   std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
   std::vector<Contact_of_parts> contacts; // with --conformal
@@ -359,6 +361,8 @@ inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& res
     });
   result.measuring_seconds = seconds_of([&] {
     result.measures = measure(result.mesh, result.shape, result.criteria.min_edge());
+    if(mesh_patch::has_ending(options.out, ".vtu"))
+      result.triangle_data = triangle_data(result.mesh, result.shape);
     scale_lengths(1 / unit, result);
     result.quality = CGAL::triangle_mesh_quality(result.mesh.mesh);
   });

@@ -97,6 +97,17 @@ inline std::pair<std::size_t, double> smallest_angle(const std::array<Kernel::Po
   return result;
 }
 
+// The middles of the sides and the centroid of a triangle, in barycentric coordinates.
+inline std::array<std::array<double, 3>, 4> places_in_triangle()
+{
+  return {{{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1. / 3, 1. / 3, 1. / 3}}};
+}
+
+inline Kernel::Point_2 at(const Triangle_corners& c, const std::array<double, 3>& w)
+{
+  return Kernel::Point_2(w[0] * c.uv[0].x() + w[1] * c.uv[1].x() + w[2] * c.uv[2].x(), w[0] * c.uv[0].y() + w[1] * c.uv[1].y() + w[2] * c.uv[2].y());
+}
+
 // The largest squared distance, if it is above `known`, between the mesh and the surface points over the middles of the sides and the
 // centroid. The distance to the triangle itself is usually short enough; around poles another triangle may be closer.
 inline double squared_distance_to_surface(const Triangle_corners& c, const CGAL::Open_cascade_surface_3& surface,
@@ -104,10 +115,9 @@ inline double squared_distance_to_surface(const Triangle_corners& c, const CGAL:
 {
   const Kernel::Triangle_3 triangle(c.points[0], c.points[1], c.points[2]);
   double result = known;
-  for(const auto& w : {std::array<double, 3>{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1. / 3, 1. / 3, 1. / 3}}) {
-    const double u = w[0] * c.uv[0].x() + w[1] * c.uv[1].x() + w[2] * c.uv[2].x(),
-                 v = w[0] * c.uv[0].y() + w[1] * c.uv[1].y() + w[2] * c.uv[2].y();
-    const Kernel::Point_3 p = surface.point(u, v);
+  for(const auto& w : places_in_triangle()) {
+    const Kernel::Point_2 uv = at(c, w);
+    const Kernel::Point_3 p = surface.point(uv.x(), uv.y());
     if(CGAL::squared_distance(p, triangle) > result)
       result = (std::max)(result, tree.squared_distance(p));
   }

@@ -60,6 +60,9 @@ void scale_lengths(double factor, Result& result)
       scale(result.mesh.mid_side_nodes[e]);
     result.second_order->distance *= factor;
   }
+  for(auto& data : result.triangle_data)
+    for(double& value : data.values)
+      value *= data.name == "deviation" ? factor : data.name == "curvature" ? 1 / factor : 1;
   scale_lengths(factor, result.names);
   for(double* length : {&result.measures.distance, &result.shape.diagonal, &result.shape.largest_gap, &result.report.max_edge,
                         &result.report.min_edge})

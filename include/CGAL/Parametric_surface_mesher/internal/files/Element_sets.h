@@ -57,6 +57,15 @@ inline std::vector<std::vector<std::size_t>> elements_of(const std::vector<std::
   return result;
 }
 
+// A name without the ends of lines and other characters that have no picture.
+inline std::string one_line(std::string name)
+{
+  for(char& c : name)
+    if(c >= 0 && c < ' ')
+      c = '_';
+  return name;
+}
+
 // Names that are all different. `allowed` makes of a name one that the format bears.
 class Unique_names
 {

@@ -32,10 +32,8 @@ namespace internal {
 inline std::string msh_name(std::string name)
 {
   const std::size_t max_length = 120; // of Gmsh, 128
-  for(char& c : name)
-    if(c == '"' || (c >= 0 && c < ' '))
-      c = '_';
-  return name.substr(0, max_length);
+  std::replace(name.begin(), name.end(), '"', '_');
+  return one_line(name).substr(0, max_length);
 }
 
 // Writes files of Gmsh, version 4.1 or 2.2. A set of entities is a physical group; entities have the tags of the model, if no other one

@@ -25,8 +25,12 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,7 +38,10 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Makes an element mesh of the mesh of a shape.
+/*
+Makes an element mesh of the mesh of a shape. Where pieces of the mesh meet in a vertex, an edge or a face of the model, they have copies of the same
+points: these become one node. Triangles on both sides of a face between two parts become one, which knows both parts.
+*/
 template <class TriangleMesh, class NamedParameters>
 class Element_mesh_maker
 {
@@ -59,7 +66,12 @@ class Element_mesh_maker
   std::vector<std::size_t> m_parts_of_faces, m_shape_edges; // by indices in the model
   typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t>>::const_type m_nodes;
   typename boost::property_map<TriangleMesh, dynamic_face_property_t<std::size_t>>::const_type m_surfaces;
-  typename boost::property_map<TriangleMesh, dynamic_edge_property_t<std::size_t>>::const_type m_mid_side_nodes;
+  typename boost::property_map<TriangleMesh, dynamic_edge_property_t<std::size_t>>::const_type m_mid_side_nodes; // `none` until it is used
+  std::vector<bool> m_has_other_side; // by face of the model
+  // what copies of a point have in common: dimension and index of the place in the model, and the point itself
+  std::map<std::tuple<int, std::size_t, Element_mesh_3::Point>, std::size_t> m_shared_nodes;
+  std::map<std::array<std::size_t, 3>, std::size_t> m_shared_mid_side_nodes; // by both ends and the edge of the model
+  std::map<std::array<std::size_t, 2>, std::size_t> m_lines;                 // by both ends: the curve
 
 public:
   Element_mesh_maker(const Open_cascade_model_3& shape, const Open_cascade_names_3& names, const TriangleMesh& tm, const NamedParameters& np)
@@ -67,6 +79,10 @@ public:
       m_shape_edges(shape.model.edges().size(), Element_mesh_3::none), m_nodes(get(dynamic_vertex_property_t<std::size_t>(), tm)),
       m_surfaces(get(dynamic_face_property_t<std::size_t>(), tm)), m_mid_side_nodes(get(dynamic_edge_property_t<std::size_t>(), tm))
   {
+    m_has_other_side.resize(shape.model.faces().size());
+    for(const auto& face : shape.model.faces())
+      if(face.other_side_of < m_has_other_side.size())
+        m_has_other_side[face.other_side_of] = true;
     for(std::size_t e = shape.model_edges.size(); e-- > 0;) // the first one of several stays
       for(const std::size_t edge : shape.model_edges[e])
         m_shape_edges[edge] = e;
@@ -79,16 +95,15 @@ public:
     return finished();
   }
 
-  // With a node on each edge; `points` has the points.
+  // With nodes on edges; `points` has the points.
   template <class MidSidePointMap>
   Element_mesh_3 with_mid_side_nodes(const MidSidePointMap& points)
   {
     m_result.is_second_order = true;
     add_nodes();
-    for(const edge_descriptor e : edges(m_tm)) {
-      put(m_mid_side_nodes, e, m_result.nodes.size());
-      add_node(get(points, e));
-    }
+    for(const edge_descriptor e : edges(m_tm))
+      if(!is_back(face(inner_halfedge(e), m_tm)) || !is_inside_face(e))
+        add_mid_side_node(e, get(points, e));
     add_elements();
     return finished();
   }
@@ -101,10 +116,11 @@ private:
   }
 
   template <class Point>
-  void add_node(const Point& p)
+  std::size_t add_node(const Point& p)
   {
     m_result.nodes.push_back({p.x(), p.y(), p.z()});
     m_result.places.emplace_back();
+    return m_result.nodes.size() - 1;
   }
 
   void add_nodes()
@@ -112,9 +128,50 @@ private:
     const auto points = parameters::choose_parameter(parameters::get_parameter(m_np, internal_np::vertex_point),
                                                      get_const_property_map(vertex_point, m_tm));
     for(const vertex_descriptor v : vertices(m_tm)) {
-      put(m_nodes, v, m_result.nodes.size());
-      add_node(get(points, v));
+      const auto& p = get(points, v);
+      Parametric_surface_mesher::Vertex_place place = get(map(Vertex_place_map_t()), v);
+      const bool is_in_model = place.index != Parametric_surface_mesher::Vertex_place::none;
+      if(place.dimension == 2 && is_in_model) {
+        const std::size_t front = front_of(place.index);
+        if(front == place.index && !m_has_other_side[front]) { // it has no copies
+          put(m_nodes, v, add_node(p));
+          continue;
+        }
+        place.index = front;
+      }
+      const auto found = m_shared_nodes.emplace(std::make_tuple(place.dimension, place.index, Element_mesh_3::Point{{p.x(), p.y(), p.z()}}),
+                                                m_result.nodes.size());
+      put(m_nodes, v, found.second ? add_node(p) : found.first->second);
     }
+  }
+
+  // The face of the model that one is the other side of, or itself.
+  std::size_t front_of(std::size_t model_face) const
+  {
+    const std::size_t front = m_shape.model.faces()[model_face].other_side_of;
+    return front < m_has_other_side.size() ? front : model_face;
+  }
+
+  std::size_t patch(face_descriptor f) const { return get(map(Face_patch_id_map_t()), f); }
+  bool is_back(face_descriptor f) const { return front_of(patch(f)) != patch(f); }
+
+  bool is_inside_face(edge_descriptor e) const
+  {
+    return get(map(Edge_place_map_t()), e).index == Parametric_surface_mesher::Edge_place::none;
+  }
+
+  // Copies of an edge have one node.
+  template <class Point>
+  void add_mid_side_node(edge_descriptor e, const Point& p)
+  {
+    const std::size_t a = get(m_nodes, source(e, m_tm)), b = get(m_nodes, target(e, m_tm));
+    if(is_inside_face(e)) {
+      put(m_mid_side_nodes, e, add_node(p));
+      return;
+    }
+    const auto found = m_shared_mid_side_nodes.emplace(std::array<std::size_t, 3>{{(std::min)(a, b), (std::max)(a, b), get(map(Edge_place_map_t()), e).index}},
+                                                       m_result.nodes.size());
+    put(m_mid_side_nodes, e, found.second ? add_node(p) : found.first->second);
   }
 
   void add_elements()
@@ -133,18 +190,19 @@ private:
   {
     std::set<std::pair<std::size_t, std::size_t>> known; // faces of the shape, and parts
     for(const face_descriptor f : faces(m_tm))
-      known.emplace(shape_face(f), part_of(f));
+      known.emplace(m_shape.shape_faces[patch(f)], m_parts_of_faces[front_of(patch(f))]);
     for(const auto& surface : known)
       m_entities.surface(surface.first, surface.second);
   }
 
-  std::size_t shape_face(face_descriptor f) const { return m_shape.shape_faces[get(map(Face_patch_id_map_t()), f)]; }
-  std::size_t part_of(face_descriptor f) const { return m_parts_of_faces[get(map(Face_patch_id_map_t()), f)]; }
-
   void add_triangle(face_descriptor f)
   {
-    const std::size_t surface = m_entities.surface(shape_face(f), part_of(f));
+    const std::size_t surface = m_entities.surface(m_shape.shape_faces[patch(f)], m_parts_of_faces[front_of(patch(f))]);
     put(m_surfaces, f, surface);
+    if(is_back(f)) {
+      m_entities.set_part_in_front(surface, m_parts_of_faces[patch(f)]);
+      return;
+    }
     Element_mesh_3::Triangle triangle;
     triangle.fill(Element_mesh_3::none);
     std::size_t i = 0;
@@ -186,10 +244,12 @@ private:
     const std::size_t shape_edge = place.index == Parametric_surface_mesher::Edge_place::none ? Element_mesh_3::none : m_shape_edges[place.index];
     if(shape_edge == Element_mesh_3::none)
       return;
-    const std::size_t surface = get(m_surfaces, face(inner_halfedge(e), m_tm)),
-                      curve = m_entities.curve(shape_edge, m_result.surfaces[surface].parts[0]);
+    const std::size_t curve = m_entities.curve(shape_edge, get(m_surfaces, face(inner_halfedge(e), m_tm)));
     const halfedge_descriptor h = halfedge(e, m_tm);
     Element_mesh_3::Line line{{get(m_nodes, source(h, m_tm)), get(m_nodes, target(h, m_tm)), Element_mesh_3::none}};
+    const auto found = m_lines.emplace(std::array<std::size_t, 2>{{(std::min)(line[0], line[1]), (std::max)(line[0], line[1])}}, curve);
+    if(!found.second && found.first->second == curve) // a copy
+      return;
     if(place.parameters[1] < place.parameters[0])
       std::swap(line[0], line[1]);
     if(m_result.is_second_order) {
@@ -215,10 +275,12 @@ private:
     if(place.dimension != 0 || place.index >= m_shape.shape_vertices.size()
        || m_shape.shape_vertices[place.index] == Open_cascade_model_3::none)
       return;
+    const std::size_t node = get(m_nodes, v);
+    if(m_result.places[node].dimension == 0) // a copy
+      return;
     const halfedge_descriptor h = halfedge(v, m_tm);
     const face_descriptor f = face(is_border(h, m_tm) ? opposite(h, m_tm) : h, m_tm);
-    const std::size_t vertex = m_entities.vertex(m_shape.shape_vertices[place.index], m_result.surfaces[get(m_surfaces, f)].parts[0]),
-                      node = get(m_nodes, v);
+    const std::size_t vertex = m_entities.vertex(m_shape.shape_vertices[place.index], get(m_surfaces, f));
     m_result.places[node] = Place{0, vertex};
     m_result.points.push_back(node);
     m_result.point_vertices.push_back(vertex);

@@ -58,7 +58,8 @@ class Entities_of_shape
   const Open_cascade_names_3& m_names;
   Element_mesh_3& m_mesh;
   std::map<std::size_t, std::size_t> m_parts; // by index in the names
-  std::map<Key, std::size_t> m_vertices, m_curves, m_surfaces;
+  std::map<Key, std::size_t> m_surfaces;
+  std::map<std::size_t, std::size_t> m_vertices, m_curves; // by index in the shape
 
 public:
   Entities_of_shape(const Open_cascade_names_3& names, Element_mesh_3& mesh) : m_names(names), m_mesh(mesh) {}
@@ -67,7 +68,7 @@ public:
   std::size_t surface(std::size_t shape_face, std::size_t part)
   {
     const std::size_t own_part = part_of_mesh(part);
-    const auto found = add(m_surfaces, {shape_face, own_part}, m_names.face_names, m_mesh.surfaces);
+    const auto found = add(m_surfaces, Key(shape_face, own_part), shape_face, own_part, m_names.face_names, m_mesh.surfaces);
     auto& color = m_mesh.surfaces[found].color;
     if(shape_face < m_names.face_colors.size() && m_names.face_colors[shape_face])
       color = m_names.face_colors[shape_face];
@@ -76,12 +77,18 @@ public:
     return found;
   }
 
-  // `part`: in the mesh, or `none`
-  std::size_t curve(std::size_t shape_edge, std::size_t part) { return add(m_curves, {shape_edge, part}, m_names.edge_names, m_mesh.curves); }
+  // The part that the other sides of the triangles of a surface belong to.
+  void set_part_in_front(std::size_t surface, std::size_t part) { m_mesh.surfaces[surface].parts[1] = part_of_mesh(part); }
 
-  std::size_t vertex(std::size_t shape_vertex, std::size_t part)
+  // Of the part of a surface beside it.
+  std::size_t curve(std::size_t shape_edge, std::size_t surface)
   {
-    return add(m_vertices, {shape_vertex, part}, m_names.vertex_names, m_mesh.vertices);
+    return add(m_curves, shape_edge, shape_edge, m_mesh.surfaces[surface].parts[0], m_names.edge_names, m_mesh.curves);
+  }
+
+  std::size_t vertex(std::size_t shape_vertex, std::size_t surface)
+  {
+    return add(m_vertices, shape_vertex, shape_vertex, m_mesh.surfaces[surface].parts[0], m_names.vertex_names, m_mesh.vertices);
   }
 
   void add_groups()
@@ -123,16 +130,17 @@ private:
     return std::count_if(m_names.parts.begin(), m_names.parts.end(), has_same) > 1 ? m_names.parts[part].path : name;
   }
 
-  static std::size_t add(std::map<Key, std::size_t>& known, const Key& key, const std::vector<std::string>& names,
-                         std::vector<Element_mesh_3::Entity>& entities)
+  template <class KeyOfEntity>
+  static std::size_t add(std::map<KeyOfEntity, std::size_t>& known, const KeyOfEntity& key, std::size_t index, std::size_t part,
+                         const std::vector<std::string>& names, std::vector<Element_mesh_3::Entity>& entities)
   {
     const auto found = known.emplace(key, entities.size());
     if(found.second) {
       Element_mesh_3::Entity entity;
-      entity.number = key.first + 1;
-      entity.parts[0] = key.second;
-      if(key.first < names.size())
-        entity.name = names[key.first];
+      entity.number = index + 1;
+      entity.parts[0] = part;
+      if(index < names.size())
+        entity.name = names[index];
       entities.push_back(entity);
     }
     return found.first->second;

@@ -1,0 +1,97 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The files of mesh_cad's option --out.
+#ifndef WRITE_MESH_CAD_FILE_H
+#define WRITE_MESH_CAD_FILE_H
+
+#include "Mesh_cad_options.h"
+#include "Mesh_cad_result.h"
+#include "Picture_triangles.h"
+#include "write_mesh_file.h"
+
+#include <CGAL/IO/write_BDF.h>
+#include <CGAL/IO/write_GLB.h>
+#include <CGAL/IO/write_INP.h>
+#include <CGAL/IO/write_MSH.h>
+#include <CGAL/IO/write_UNV.h>
+#include <CGAL/IO/write_element_STL.h>
+#include <CGAL/IO/write_element_VTU.h>
+#include <CGAL/make_element_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mesh_cad {
+
+// A mesh as plain arrays.
+struct Elements
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::size_t> face_ids; // of the triangles, at least 1
+};
+
+inline Elements elements(const Mesh_cad_result& result)
+{
+  Elements elements;
+  auto arrays = mesh_picture::arrays<3>(result.mesh.mesh, [&](auto v) { return result.mesh.mesh.point(v); });
+  elements.points = std::move(arrays.first);
+  elements.triangles = std::move(arrays.second);
+  for(const auto face : result.mesh.mesh.faces())
+    elements.face_ids.push_back(result.shape.shape_faces[result.mesh.patch[face]] + 1);
+  return elements;
+}
+
+// With the numbers of parts, faces, edges and vertices, and groups.
+inline CGAL::Element_mesh_3 element_mesh(const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  const auto places = result.mesh.places();
+  CGAL::Element_mesh_3 mesh
+    = result.second_order
+        ? CGAL::make_second_order_element_mesh(result.shape, result.names, result.mesh.mesh, result.mesh.mid_side_nodes, places)
+        : CGAL::make_element_mesh(result.shape, result.names, result.mesh.mesh, places);
+  mesh.triangle_data = result.triangle_data;
+  if(!options.are_node_parameters_wanted)
+    mesh.forget_parameters();
+  return mesh;
+}
+
+// Open CASCADE writes to a file of its own.
+inline void write_glb(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  const double metres_of_millimetre = 1e-3;
+  const CGAL::Parametric_surface_mesher::internal::Temporary_file file;
+  if(CGAL::IO::write_GLB(file.name(), element_mesh(options, result), metres_of_millimetre * unit_in_millimetres(options), result.names.parts.front().name))
+    out << std::ifstream(file.name(), std::ios::binary).rdbuf();
+  else
+    out.setstate(std::ios::failbit);
+}
+
+inline void write_result(std::ostream& out, const std::string& file_name, const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  typedef bool (*Writer)(std::ostream&, const CGAL::Element_mesh_3&);
+  const std::pair<const char*, Writer> writers[] = {{".vtu", CGAL::IO::write_VTU}, {".msh", CGAL::IO::write_MSH}, {".msh2", CGAL::IO::write_MSH_2},
+                                                    {".inp", CGAL::IO::write_INP}, {".bdf", CGAL::IO::write_BDF}, {".unv", CGAL::IO::write_UNV},
+                                                    {".stl", CGAL::IO::write_STL}};
+  if(options.is_binary)
+    CGAL::IO::set_binary_mode(out);
+  for(const auto& writer : writers)
+    if(mesh_patch::has_ending(file_name, writer.first)) {
+      writer.second(out, element_mesh(options, result));
+      return;
+    }
+  if(mesh_patch::has_ending(file_name, ".glb"))
+    write_glb(out, options, result);
+  else
+    mesh_patch::write_mesh(out, file_name, result.mesh.mesh, [&](std::size_t face) { return result.shape.shape_faces[face] + 1; });
+}
+
+} // namespace mesh_cad
+
+#endif // WRITE_MESH_CAD_FILE_H
