@@ -2,7 +2,7 @@
 # This file is part of Parametric_surface_mesher, an extension package of CGAL.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing to build everything here, with the Debian packages. Asks nothing.
+# Installs what is missing to build everything here, with the Debian packages, and the packages among the arguments. Asks nothing.
 set -euo pipefail
 
 packages=(
@@ -13,6 +13,7 @@ packages=(
   libtet1.5-dev
   libtbb-dev
   libocct-data-exchange-dev occt-misc
+  "$@"
 )
 
 if ! command -v apt-get > /dev/null || ! command -v dpkg-query > /dev/null; then

@@ -10,6 +10,8 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 scripts/install_dependencies.sh
+# They read files back in tests, which are skipped without them.
+scripts/install_dependencies.sh calculix-ccx gmsh python3-meshio || echo "== Going on without CalculiX, Gmsh or meshio"
 jobs=$(nproc)
 
 # configure DIRECTORY [option...]: quiet unless it fails
