@@ -6,6 +6,9 @@
 
 #include <CGAL/IO/write_BDF.h>
 #include <CGAL/IO/write_INP.h>
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_MED
+#include <CGAL/IO/write_MED.h>
+#endif
 #include <CGAL/IO/write_MSH.h>
 #include <CGAL/IO/write_UNV.h>
 #include <CGAL/IO/write_element_STL.h>
@@ -249,6 +252,38 @@ TEST_F(Element_files, calculix_takes_elements_of_second_order)
   double fx = 0, fy = 0, fz = 0;
   forces >> fx >> fy >> fz;
   EXPECT_NEAR(fz, -3, 0.01) << result;
+}
+
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_MED
+TEST_F(Element_files, med)
+{
+  for(const bool is_second_order : {false, true}) {
+    CGAL::IO::write_MED(file("mesh.med"), Cubes(2, is_second_order).mesh);
+    std::ofstream(file("read_med.py")) << "import json, meshio\n"
+                                          "m = meshio.read('mesh.med')\n"
+                                          "json.dump({'points': len(m.points), 'cells': {c.type: len(c.data) for c in m.cells},\n"
+                                          "  'groups': m.cell_tags['-12'] if '-12' in m.cell_tags else m.cell_tags[-12]}, open('read.json', 'w'))\n";
+    if(!has_meshio() || !succeeds("/usr/bin/python3 -c 'import h5py'"))
+      GTEST_SKIP() << "meshio or h5py is not installed";
+    ASSERT_TRUE(succeeds("cd " + file("") + " && /usr/bin/python3 read_med.py"));
+    const auto mesh = nlohmann::json::parse(content(file("read.json")));
+    EXPECT_EQ(mesh["points"], is_second_order ? 2 * (8 + 18) : 16);
+    EXPECT_EQ(mesh["cells"], (is_second_order ? nlohmann::json{{"triangle6", 24}, {"line3", 24}, {"vertex", 16}}
+                                              : nlohmann::json{{"triangle", 24}, {"line", 24}, {"vertex", 16}}));
+    EXPECT_EQ(mesh["groups"], (std::vector<std::string>{"face_12", "k_rper 2"}));
+  }
+  EXPECT_THROW(CGAL::IO::write_MED("/nowhere/mesh.med", Cubes(1, false).mesh), CGAL::Parametric_surface_mesh_error);
+}
+#endif
+
+// CalculiX does not read more.
+TEST_F(Element_files, numbers_of_at_most_20_characters)
+{
+  Element_mesh mesh = Cubes(1, false).mesh;
+  mesh.nodes[0] = {{-4.4408920985006262e-16, -1.2345678901234567e-110, -0.125}};
+  std::ostringstream out;
+  EXPECT_TRUE(CGAL::IO::write_INP(out, mesh));
+  EXPECT_NE(out.str().find("\n1, -4.4408920985006e-16, 0, -0.125\n"), std::string::npos) << out.str().substr(0, 200);
 }
 
 TEST_F(Element_files, arrays_that_do_not_fit_are_refused)

@@ -53,7 +53,7 @@ const char* const conclusion =
   "\n"
   "Faces and edges are counted from 1, as Open CASCADE and Gmsh count them. The files .ply, .vtu,\n"
   ".msh, .inp, .bdf and .unv hold the number of the face of each triangle. Triangles of a solid face\n"
-  "outward. Groups of .msh, .inp and .unv: face_1, edge_1, vertex_1, ...; parts and assemblies by their\n"
+  "outward. Groups of .msh, .inp, .unv, .med: face_1, edge_1, vertex_1, ...; parts and assemblies by their\n"
   "names; faces, edges and vertices that have names; color_rrggbb, layer_... A face between two parts\n"
   "is there once, with common nodes, in all of these, and for both parts in .stl, .ply, .off and .obj.\n"
   ".stl has a solid for each part, .glb (in metres) a node for each part with its colours.\n"
@@ -139,7 +139,7 @@ inline po::options_description described_options(Mesh_cad_options& o)
   mesh_patch::add_order(output, o.order);
   output.add_options()
     ("list", po::bool_switch(&o.is_list_wanted), "print the parts of the assembly, their sizes, and what has names, and stop; --json writes them")
-    ("out", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv or .glb")
+    ("out", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv, .glb or, if built with the MED library, .med")
     ("binary", po::bool_switch(&o.is_binary), "write .stl, .off and .ply as binary files; .vtu always is one")
     ("node-parameters", po::bool_switch(&o.are_node_parameters_wanted), "write the parameters of nodes on edges and faces, too, to .msh (Gmsh reads them, meshio does not) and .vtu")
     ("picture", text(o.picture, "FILE"), "a picture of the mesh, as .svg")

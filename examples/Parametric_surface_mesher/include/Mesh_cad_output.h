@@ -195,8 +195,8 @@ inline Output_files output_files(const Mesh_cad_options& o, const Mesh_cad_resul
     files.add(name, std::move(write));
   };
   if(o.order == 2 && !o.out.empty())
-    mesh_patch::check_ending("order 2 --out", o.out, {".vtu", ".msh", ".msh2", ".inp", ".bdf", ".unv"});
-  add("out", o.out, {".off", ".obj", ".ply", ".stl", ".vtu", ".msh", ".msh2", ".inp", ".bdf", ".unv", ".glb"},
+    mesh_patch::check_ending("order 2 --out", o.out, endings_for_solvers());
+  add("out", o.out, all_endings(),
       [&](std::ostream& out) { write_result(out, o.out, o, result); });
   add("picture", o.picture, {".svg"}, [&](std::ostream& out) { write_picture(out, o, result); });
   add("json", o.json, {".json"}, [&](std::ostream& out) { write_json(out, o, result); });

@@ -18,6 +18,9 @@
 #include <CGAL/IO/write_element_STL.h>
 #include <CGAL/IO/write_element_VTU.h>
 #include <CGAL/make_element_mesh.h>
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_MED
+#include <CGAL/IO/write_MED.h>
+#endif
 
 #include <array>
 #include <cstddef>
@@ -62,15 +65,53 @@ inline CGAL::Element_mesh_3 element_mesh(const Mesh_cad_options& options, const 
   return mesh;
 }
 
-// Open CASCADE writes to a file of its own.
-inline void write_glb(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
+// For libraries that write to files of their own. `write` takes a name and tells whether there is a file.
+template <class Function>
+void write_through_file(std::ostream& out, const Function& write)
 {
-  const double metres_of_millimetre = 1e-3;
   const CGAL::Parametric_surface_mesher::internal::Temporary_file file;
-  if(CGAL::IO::write_GLB(file.name(), element_mesh(options, result), metres_of_millimetre * unit_in_millimetres(options), result.names.parts.front().name))
+  if(write(file.name()))
     out << std::ifstream(file.name(), std::ios::binary).rdbuf();
   else
     out.setstate(std::ios::failbit);
+}
+
+inline void write_glb(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  const double metres_of_millimetre = 1e-3;
+  write_through_file(out, [&](const std::string& name) {
+    return CGAL::IO::write_GLB(name, element_mesh(options, result), metres_of_millimetre * unit_in_millimetres(options), result.names.parts.front().name);
+  });
+}
+
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_MED
+inline void write_med(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  write_through_file(out, [&](const std::string& name) {
+    CGAL::IO::write_MED(name, element_mesh(options, result));
+    return true;
+  });
+}
+#else
+inline void write_med(std::ostream&, const Mesh_cad_options&, const Mesh_cad_result&) {} // the ending is refused before
+#endif
+
+// The endings of files for solvers, which have elements of second order, too.
+inline std::vector<std::string> endings_for_solvers()
+{
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_MED
+  return {".vtu", ".msh", ".msh2", ".inp", ".bdf", ".unv", ".med"};
+#else
+  return {".vtu", ".msh", ".msh2", ".inp", ".bdf", ".unv"};
+#endif
+}
+
+inline std::vector<std::string> all_endings()
+{
+  std::vector<std::string> result{".off", ".obj", ".ply", ".stl", ".glb"};
+  for(const std::string& ending : endings_for_solvers())
+    result.push_back(ending);
+  return result;
 }
 
 inline void write_result(std::ostream& out, const std::string& file_name, const Mesh_cad_options& options, const Mesh_cad_result& result)
@@ -88,6 +129,8 @@ inline void write_result(std::ostream& out, const std::string& file_name, const 
     }
   if(mesh_patch::has_ending(file_name, ".glb"))
     write_glb(out, options, result);
+  else if(mesh_patch::has_ending(file_name, ".med"))
+    write_med(out, options, result);
   else
     mesh_patch::write_mesh(out, file_name, result.mesh.mesh, [&](std::size_t face) { return result.shape.shape_faces[face] + 1; });
 }

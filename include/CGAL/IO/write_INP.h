@@ -13,8 +13,6 @@
 #include <CGAL/Element_mesh_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/files/Inp_writer.h>
 
-#include <boost/io/ios_state.hpp>
-
 #include <ostream>
 
 namespace CGAL {
@@ -25,7 +23,7 @@ namespace IO {
 
 writes a mesh as an input file of Abaqus and CalculiX: shell elements S3 or S6. Each face and part, and each group of them, is an element set, a node set
 and a surface (the outer sides of its elements) of the same name; each edge and vertex, and each group of them, is a node set. Names are in
-capitals; characters that these programs do not know become underscores. `EALL` and `NALL` are all elements and all nodes.
+capitals; characters that these programs do not know become underscores. Coordinates have as many digits as fit in the 20 characters that they read. `EALL` and `NALL` are all elements and all nodes.
 
 \return whether the stream is good
 \throws Parametric_surface_mesh_error if the arrays of the mesh do not fit together
@@ -33,8 +31,6 @@ capitals; characters that these programs do not know become underscores. `EALL` 
 inline bool write_INP(std::ostream& out, const Element_mesh_3& mesh)
 {
   Parametric_surface_mesher::internal::check_element_mesh(mesh);
-  const boost::io::ios_precision_saver precision(out);
-  out.precision(17);
   Parametric_surface_mesher::internal::Inp_writer(out, mesh).write();
   return out.good();
 }

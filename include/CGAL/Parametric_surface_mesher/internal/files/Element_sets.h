@@ -66,6 +66,18 @@ inline std::string one_line(std::string name)
   return name;
 }
 
+// A name with an underscore for each letter of UTF-8 that is not one of ASCII.
+inline std::string ascii_name(const std::string& name)
+{
+  std::string result;
+  for(const char c : name) {
+    const unsigned char byte = static_cast<unsigned char>(c);
+    if(byte < 0x80 || byte >= 0xc0) // the first one of a letter
+      result += byte < 0x80 ? c : '_';
+  }
+  return result;
+}
+
 // Names that are all different. `allowed` makes of a name one that the format bears.
 class Unique_names
 {

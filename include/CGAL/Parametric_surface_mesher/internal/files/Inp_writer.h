@@ -13,6 +13,8 @@
 
 #include <cctype>
 #include <cstddef>
+#include <cstdio>
+#include <cstring>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -26,14 +28,22 @@ inline std::string inp_name(const std::string& name)
 {
   const std::size_t max_length = 60; // of both, 80
   std::string result;
-  for(const char c : name) {
-    const unsigned char u = static_cast<unsigned char>(c);
-    if(u < 0x80 || u >= 0xc0) // one character for each letter of UTF-8
-      result += u < 0x80 && std::isalnum(u) ? char(std::toupper(u)) : '_';
-  }
+  for(const char c : ascii_name(name))
+    result += std::isalnum(static_cast<unsigned char>(c)) ? char(std::toupper(static_cast<unsigned char>(c))) : '_';
   if(result.empty() || !std::isalpha(static_cast<unsigned char>(result.front())))
     result = "N_" + result;
   return result.substr(0, max_length);
+}
+
+// A number in no more than the 20 characters that both programs read: with all its digits if there is room for them.
+inline std::string inp_number(double x)
+{
+  const std::size_t max_length = 20;
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.17g", x);
+  if(std::strlen(text) > max_length)
+    std::snprintf(text, sizeof(text), "%.13e", x);
+  return std::strlen(text) > max_length ? "0" : text; // the exponent has three digits
 }
 
 // Writes input files of Abaqus and CalculiX: nodes, shell elements, and sets of both.
@@ -54,7 +64,8 @@ public:
   {
     m_out << "*HEADING\nTriangles of the faces of a shape\n*NODE, NSET=NALL\n";
     for(std::size_t i = 0; i < m_mesh.nodes.size(); ++i)
-      m_out << i + 1 << ", " << m_mesh.nodes[i][0] << ", " << m_mesh.nodes[i][1] << ", " << m_mesh.nodes[i][2] << '\n';
+      m_out << i + 1 << ", " << inp_number(m_mesh.nodes[i][0]) << ", " << inp_number(m_mesh.nodes[i][1]) << ", "
+            << inp_number(m_mesh.nodes[i][2]) << '\n';
     std::vector<std::string> blocks;
     Unique_names names(inp_name);
     names("EALL");
