@@ -134,6 +134,18 @@ double second_order_mesh_distance(const Parametric_surface_model_3<Surface>& mod
   return result;
 }
 
+/*!
+\ingroup PkgParametricSurfaceMesherSecondOrder
+
+measures the distance, as above, of the mesh of one surface.
+*/
+template <class Surface, class Kernel, class TriangleMesh, class MidSidePointMap, class NamedParameters>
+double second_order_mesh_distance(const Surface& surface, const Parametric_domain_2<Kernel>& domain, const TriangleMesh& tm,
+                                  const MidSidePointMap& points, const NamedParameters& np, unsigned int subdivisions = 6)
+{
+  return second_order_mesh_distance(Parametric_surface_mesher::internal::model_of_patch(surface, domain), tm, points, np, subdivisions);
+}
+
 } // namespace CGAL
 
 #endif // CGAL_MAKE_SECOND_ORDER_MESH_H

@@ -305,6 +305,17 @@ TEST_F(Mesh_patch_program, follows_a_prescribed_division_of_a_model)
   EXPECT_EQ(json("torus --max-edge 0.2").at("division_edges"), divided_by_criteria);
 }
 
+TEST_F(Mesh_patch_program, curves_triangles)
+{
+  for(const char* surface : {"torus", "hole"}) {
+    const nlohmann::json numbers = json(std::string(surface) + " --order 2 --quiet");
+    EXPECT_EQ(numbers["order"], 2);
+    EXPECT_LT(numbers["second_order"]["distance"], numbers["max_distance"].get<double>() / 20);
+    EXPECT_TRUE(numbers["second_order"]["uncertified"].empty());
+  }
+  expect_refused("torus --order 0", "--order");
+}
+
 TEST_F(Mesh_patch_program, joins_the_patches_of_the_teapot)
 {
   const nlohmann::json result = json(std::string(teapot) + " --max-edge 0.3 --gamma 0.2");

@@ -316,6 +316,14 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
   note_closed_up_faces(result);
 }
 
+inline void make_second_order(Mesh_cad_result& result)
+{
+  result.mesh.mid_side_nodes = result.mesh.mesh.add_property_map<Cad_mesh::Mesh::Edge_index, Kernel::Point_3>("e:node").first;
+  result.second_order.emplace();
+  result.second_order->report
+    = CGAL::make_second_order_mesh(result.shape.model, result.mesh.mesh, result.mesh.mid_side_nodes, result.mesh.places());
+}
+
 // BREP files have no unit.
 inline bool has_unit(const Mesh_cad_options& options)
 {
@@ -354,12 +362,11 @@ inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& res
   check_sizes(options, result.criteria, unit);
   result.meshing_seconds = seconds_of([&] { make_mesh(options, result); });
   if(options.order == 2)
-    result.second_order_seconds = seconds_of([&] {
-      result.mesh.mid_side_nodes = result.mesh.mesh.add_property_map<Cad_mesh::Mesh::Edge_index, Kernel::Point_3>("e:node").first;
-      result.second_order
-        = mesh_patch::make_and_measure_nodes(result.shape.model, result.mesh.mesh, result.mesh.mid_side_nodes, result.mesh.places());
-    });
+    result.second_order_seconds = seconds_of([&] { make_second_order(result); });
   result.measuring_seconds = seconds_of([&] {
+    if(result.second_order)
+      result.second_order->distance = CGAL::second_order_mesh_distance(
+        result.shape.model, result.mesh.mesh, result.mesh.mid_side_nodes, result.mesh.places(), mesh_patch::subdivisions_for_distance);
     result.measures = measure(result.mesh, result.shape, result.criteria.min_edge());
     if(mesh_patch::has_ending(options.out, ".vtu"))
       result.triangle_data = triangle_data(result.mesh, result.shape);

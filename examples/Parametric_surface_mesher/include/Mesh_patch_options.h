@@ -31,6 +31,7 @@ struct Mesh_patch_options
   double improvement_angle = CGAL::Parametric_surface_mesh_criteria().improvement_angle();
   boost::optional<unsigned int> sweeps;
   std::vector<unsigned int> numbers_of_edges; // from `division`
+  unsigned int order = 1;
   int ellipses = 0;
   bool is_quiet = false, is_help_wanted = false;
 };
@@ -117,6 +118,7 @@ inline po::options_description described_options(Mesh_patch_options& o)
      "of their first use, face by face; 0: as the criteria require");
   add_sweeps(criteria, o.sweeps);
   po::options_description output("Output", 92);
+  add_order(output, o.order);
   output.add_options()
     ("out", file(o.out), "the mesh, as .off, .obj, .ply or .stl")
     ("uv", file(o.uv), "the same triangles in the domain, as points (u,v,0); endings as for --out")
@@ -160,6 +162,7 @@ inline void check_values(const po::variables_map& given, const Mesh_patch_option
   if(!(o.improvement_angle >= 0 && o.improvement_angle < 60))
     throw Usage_error("--improvement-angle: the angle must be at least 0 and below 60 degrees");
   check_sweeps(o.sweeps);
+  check_order(o.order);
   if(o.placement != "frontal" && o.placement != "off-center" && o.placement != "circumcenter")
     throw Usage_error("--placement: '" + o.placement + "' must be frontal, off-center or circumcenter");
   if(o.max_edge > 0 && o.min_edge > o.max_edge)

@@ -142,6 +142,9 @@ inline void write_json(std::ostream& out, const Mesh_patch_input& input, const M
   json.update(json_of_model(counts(input)));
   json.update(json_of_shape(result.quality, result.deviation));
   json.update(json_of_report(result.report));
+  json["order"] = result.second_order ? 2 : 1;
+  if(result.second_order)
+    json["second_order"] = json_of_second_order(*result.second_order);
   out << json.dump(2) << "\n";
 }
 
@@ -194,6 +197,8 @@ inline void print_summary(std::ostream& out, const Mesh_patch_input& input, cons
       << " on the boundary; distance: at most " << d.max_distance_to_face << "\n";
   if(const std::size_t n = d.number_of_inverted_faces + d.number_of_domain_violations)
     out << "  INVERTED: " << plural(n, "triangle") << "\n";
+  if(result.second_order)
+    print_second_order(out, *result.second_order);
   print_unmet(out, result.report);
   out << "  " << s.meshing() << " s: division " << s.division << ", triangulation " << s.triangulation << ", refinement "
       << s.refinement << ", improvement " << s.improvement << ", output " << s.output << "\n";

@@ -9,6 +9,7 @@
 #include "Mesh_patch_options.h"
 #include "Patch_triangles.h"
 #include "Progress_line.h"
+#include "Second_order_measures.h"
 
 #include <CGAL/Circumellipse_2.h>
 #include <CGAL/First_fundamental_form_metric_2.h>
@@ -37,6 +38,7 @@ struct Mesh_patch_result
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
   CGAL::Triangle_mesh_deviation deviation; // over all patches
+  boost::optional<Second_order_measures> second_order;
   std::deque<Patch_triangles> patches;     // in a deque, since they cannot be moved in memory
   std::vector<std::vector<Ellipse>> ellipses; // by patch
 };
@@ -122,6 +124,21 @@ inline void measure(const Mesh_patch_input& input, const Halfedge_uv_map& uv, co
   }
 }
 
+// Makes the nodes in the middles of the edges, and measures the curved triangles. `maps`: where the mesh lies on its surfaces
+template <class Maps>
+void make_second_order(const Mesh_patch_input& input, const Maps& maps, Mesh_patch_result& result)
+{
+  const auto nodes = result.mesh.add_property_map<Mesh::Edge_index, Sample_kernel::Point_3>("e:node").first;
+  const auto make = [&](const auto&... shape) {
+    result.second_order = Second_order_measures{CGAL::make_second_order_mesh(shape..., result.mesh, nodes, maps),
+                                                CGAL::second_order_mesh_distance(shape..., result.mesh, nodes, maps, subdivisions_for_distance)};
+  };
+  if(const Sample* sample = std::get_if<Sample>(&input.source))
+    make(sample->surface, sample->domain);
+  else
+    make(std::get<Sample_surface_model>(input.source));
+}
+
 template <class Metric>
 void mesh_with_metric(const Mesh_patch_input& input, const Mesh_patch_options& options, const Metric& metric,
                       Mesh_patch_result& result)
@@ -129,11 +146,13 @@ void mesh_with_metric(const Mesh_patch_input& input, const Mesh_patch_options& o
   namespace parameters = CGAL::parameters;
   const Halfedge_uv_map uv = result.mesh.add_property_map<Mesh::Halfedge_index, Sample_kernel::Point_2>("h:uv").first;
   const Face_patch_map patch = result.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
+  const auto edge_place
+    = result.mesh.add_property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place>("e:place").first;
+  const auto places = parameters::halfedge_uv_map(uv, parameters::face_patch_id_map(patch, parameters::edge_place_map(edge_place)));
   result.criteria = make_criteria(options, input);
   {
     Progress_line progress(options.is_quiet);
-    const auto maps = parameters::halfedge_uv_map(
-      uv, parameters::face_patch_id_map(patch, parameters::metric_field(metric).visitor(std::ref(progress))));
+    const auto maps = parameters::metric_field(metric, places).visitor(std::ref(progress));
     if(const Sample* sample = std::get_if<Sample>(&input.source))
       result.report
         = CGAL::make_parametric_surface_mesh(sample->surface, sample->domain, result.criteria, result.mesh, maps);
@@ -142,6 +161,8 @@ void mesh_with_metric(const Mesh_patch_input& input, const Mesh_patch_options& o
                                                          result.mesh, maps);
   }
   measure(input, uv, patch, result);
+  if(options.order == 2)
+    make_second_order(input, places, result);
   if(options.ellipses > 0)
     result.ellipses = some_ellipses(input, result, metric, std::size_t(options.ellipses));
 }

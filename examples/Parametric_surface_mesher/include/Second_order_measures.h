@@ -27,16 +27,6 @@ namespace mesh_patch {
 // The number of pieces of a side between the places of a triangle that are measured.
 const unsigned int subdivisions_for_distance = 4;
 
-// Makes the nodes of a mesh on its edges, and measures it. `maps`: as for CGAL::make_second_order_mesh()
-template <class Model, class Mesh, class NodeMap, class Maps>
-Second_order_measures make_and_measure_nodes(const Model& model, const Mesh& mesh, const NodeMap& nodes, const Maps& maps)
-{
-  Second_order_measures result;
-  result.report = CGAL::make_second_order_mesh(model, mesh, nodes, maps);
-  result.distance = CGAL::second_order_mesh_distance(model, mesh, nodes, maps, subdivisions_for_distance);
-  return result;
-}
-
 inline nlohmann::ordered_json json_of_second_order(const Second_order_measures& measures)
 {
   const auto& r = measures.report;

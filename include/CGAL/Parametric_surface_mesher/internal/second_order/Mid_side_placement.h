@@ -15,6 +15,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/second_order/Surface_foot.h>
 #include <CGAL/Parametric_surface_model_3.h>
 
+#include <boost/math/tools/roots.hpp>
 #include <boost/optional.hpp>
 
 #include <array>
@@ -113,10 +114,24 @@ public:
       });
       return bool(result);
     });
-    return result;
+    return result ? result : on_line_in_domain(surface, from, to, chord);
   }
 
 private:
+  // The point over the straight line in the domain that is equally far from both ends: where the surface bends so much that steps do not
+  // converge.
+  static Place on_line_in_domain(const Surface& surface, const Point_2& from, const Point_2& to, const Chord<Kernel>& chord)
+  {
+    return guarded_place(chord, [&]() -> Place {
+      const auto point = [&](double t) { return surface.point(from.x() + t * (to.x() - from.x()), from.y() + t * (to.y() - from.y())); };
+      const auto lead = [&](double t) { return squared_distance(point(t), chord.source) - squared_distance(point(t), chord.target); };
+      if(!(lead(0) < 0 && lead(1) > 0))
+        return boost::none;
+      const auto t = boost::math::tools::bisect(lead, 0., 1., boost::math::tools::eps_tolerance<double>());
+      return point(0.5 * (t.first + t.second));
+    });
+  }
+
   // A surface or a curve that cannot be evaluated has no place.
   template <class Find>
   static Place guarded_place(const Chord<Kernel>& chord, const Find& find)
