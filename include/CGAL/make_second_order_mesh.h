@@ -13,7 +13,7 @@
 #include <CGAL/Parametric_domain_2.h>
 #include <CGAL/Parametric_surface_mesh_parameters.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/model_of_patch.h>
-#include <CGAL/Parametric_surface_mesher/internal/second_order/Distance_from_surfaces.h>
+#include <CGAL/Parametric_surface_mesher/internal/second_order/Distance_from_surface.h>
 #include <CGAL/Parametric_surface_mesher/internal/second_order/Mesh_in_model.h>
 #include <CGAL/Parametric_surface_mesher/internal/second_order/Second_order_maker.h>
 #include <CGAL/Parametric_surface_model_3.h>
@@ -127,10 +127,13 @@ double second_order_mesh_distance(const Parametric_surface_model_3<Surface>& mod
 {
   using namespace Parametric_surface_mesher::internal;
   const auto mesh = make_mesh_in_model(tm, np);
-  const Distance_from_surfaces<Surface, decltype(mesh)> distance(model, mesh, subdivisions);
   double result = 0;
-  for(const auto f : faces(tm))
-    result = (std::max)(result, distance.of_triangle(f, points));
+  for(const auto f : faces(tm)) {
+    const Distance_from_surface<Surface> distance(model.faces()[mesh.patch(f)].surface, subdivisions);
+    const auto [h, i, k] = mesh.sides(f);
+    result = (std::max)(result, distance(mesh.template curved_triangle<typename Surface::Geom_traits>(f, points),
+                                         {mesh.source_uv(h), mesh.source_uv(i), mesh.source_uv(k)}));
+  }
   return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Parametric_surface_mesh_parameters.h>
 #include <CGAL/Parametric_surface_mesher/Model_places.h>
+#include <CGAL/Parametric_surface_mesher/internal/second_order/Quadratic_triangle_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -20,6 +21,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -54,6 +56,15 @@ struct Mesh_in_model
   {
     const halfedge_descriptor h = halfedge(f, mesh);
     return {h, next(h, mesh), next(next(h, mesh), mesh)};
+  }
+
+  // A face with the nodes of its sides.
+  template <class Kernel, class MidSidePointMap>
+  Quadratic_triangle_3<Kernel> curved_triangle(face_descriptor f, const MidSidePointMap& points) const
+  {
+    const auto [h, i, k] = sides(f);
+    return Quadratic_triangle_3<Kernel>({source_point(h), source_point(i), source_point(k), get(points, edge(h, mesh)),
+                                         get(points, edge(i, mesh)), get(points, edge(k, mesh))});
   }
 };
 
