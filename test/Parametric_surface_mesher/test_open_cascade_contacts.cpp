@@ -5,6 +5,7 @@
 #include "open_cascade_test_helpers.h"
 
 #include <CGAL/fuse_open_cascade_solids.h>
+#include <CGAL/make_element_mesh.h>
 #include <CGAL/make_parametric_surface_triangle_soup.h>
 
 #include <BOPAlgo_Builder.hxx>
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -280,4 +282,60 @@ TEST(Fusing, leaves_a_single_solid_as_it_is)
   EXPECT_TRUE(fused.shape.IsSame(box));
   EXPECT_TRUE(fused.history.IsNull());
   EXPECT_THROW(CGAL::fuse_open_cascade_solids(box, -1), CGAL::Parametric_surface_mesh_error);
+}
+
+// The complex of two boxes and a pin in them: contacts are there once, and have a part on either side.
+TEST(Complex, has_contacts_once)
+{
+  namespace psm = CGAL::Parametric_surface_mesher;
+  namespace params = CGAL::parameters;
+  const CGAL::Open_cascade_model_3 shape = CGAL::make_model_of_open_cascade_shape(pinned_boxes());
+  std::size_t number_of_shells = 0;
+  for(const auto& face : shape.model.faces())
+    number_of_shells = (std::max)(number_of_shells, face.shell + 1);
+  CGAL::Open_cascade_names_3 names;
+  names.shell_names.resize(number_of_shells);
+  names.face_names.resize(shape.number_of_shape_faces);
+  for(std::size_t shell = 0; shell < number_of_shells; ++shell) {
+    names.parts.emplace_back();
+    names.parts.back().name = names.parts.back().path = "part " + std::to_string(shell);
+    names.parts.back().shells = {shell};
+  }
+  Mesh mesh;
+  auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  auto patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
+  auto vertex_places = mesh.add_property_map<Mesh::Vertex_index, psm::Vertex_place>("v:place").first;
+  auto edge_places = mesh.add_property_map<Mesh::Edge_index, psm::Edge_place>("e:place").first;
+  const auto np = params::halfedge_uv_map(
+    uv, params::face_patch_id_map(patch, params::vertex_place_map(vertex_places, params::edge_place_map(edge_places))));
+  CGAL::make_parametric_surface_mesh(shape.model, cad_criteria(shape.diagonal), mesh, np);
+  const CGAL::Element_mesh_3 complex = CGAL::make_element_mesh(shape, names, mesh, np);
+
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::size_t> patches;
+  CGAL::make_parametric_surface_triangle_soup(shape.model, cad_criteria(shape.diagonal), points, triangles, patches);
+  EXPECT_EQ(points.size(), complex.nodes.size());
+  EXPECT_EQ(triangles.size(), complex.triangles.size());
+  EXPECT_EQ(complex.nodes.size(), complex.places.size());
+  EXPECT_EQ(shape.number_of_shape_faces, complex.surfaces.size());
+
+  std::size_t number_of_contacts = 0;
+  std::map<std::size_t, std::map<std::pair<std::size_t, std::size_t>, int>> sides; // by part
+  for(const auto& surface : complex.surfaces)
+    number_of_contacts += surface.parts[1] != complex.none;
+  EXPECT_EQ(backs(shape.model).size(), number_of_contacts);
+  for(std::size_t t = 0; t < complex.triangles.size(); ++t)
+    for(std::size_t side : {0, 1}) {
+      const std::size_t part = complex.surfaces[complex.triangle_surfaces[t]].parts[side];
+      for(std::size_t i = 0; i < 3; ++i) {
+        const std::size_t v = complex.triangles[t][i], w = complex.triangles[t][(i + 1) % 3];
+        sides[part][std::minmax(v, w)] += (v < w) == (side == 0) ? 1 : -1;
+      }
+    }
+  sides.erase(complex.none);
+  EXPECT_EQ(number_of_shells, sides.size());
+  for(const auto& part : sides)
+    for(const auto& side : part.second)
+      EXPECT_EQ(0, side.second);
 }
