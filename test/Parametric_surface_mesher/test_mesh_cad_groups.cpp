@@ -7,6 +7,9 @@
 
 #include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepTools.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <TopoDS_Compound.hxx>
+#include <BRep_Builder.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <gp_Pnt.hxx>
 
@@ -127,6 +130,30 @@ TEST_F(Mesh_cad_groups, a_face_between_two_parts)
   EXPECT_EQ(faces[0].size(), 11u); // one is in both
   EXPECT_TRUE(has(inp, "*ELSET, ELSET=SOLID_1\n"));
   EXPECT_TRUE(has(inp, "*ELSET, ELSET=SOLID_2\n"));
+}
+
+// Boxes that touch, overlap, and nearly touch, without knowing of each other.
+TEST_F(Mesh_cad_groups, parts_that_touch)
+{
+  BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  for(const gp_Pnt& corner : {gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(19, 0, 0), gp_Pnt(0, 10.01, 0)})
+    builder.Add(compound, BRepPrimAPI_MakeBox(corner, 10, 10, 10).Shape());
+  BRepTools::Write(compound, file("boxes.brep").c_str());
+  EXPECT_EQ(json("boxes.brep --quiet")["contacts"].size(), 0u);
+  const nlohmann::json numbers = json("boxes.brep --quiet --conformal"), contacts = numbers["contacts"];
+  EXPECT_TRUE(numbers["closed"]);
+  ASSERT_EQ(contacts.size(), 4u); // the second box is beside an edge of the last one, too
+  EXPECT_EQ(contacts[0]["parts"], nlohmann::json({"boxes/solid_1", "boxes/solid_2"}));
+  EXPECT_NEAR(contacts[0]["area"], 100, 1e-6);
+  EXPECT_NEAR(contacts[1]["distance"], 0.01, 1e-6); // of the first box and the last one
+  EXPECT_NEAR(contacts[2]["common_volume"], 100, 1e-6);
+  EXPECT_EQ(json("boxes.brep --quiet --conformal --fuzzy 0.02")["contacts"][1]["faces"], 1);
+  const std::string summary = run("boxes.brep --conformal").out;
+  EXPECT_TRUE(has(summary, "parts boxes/solid_1 and boxes/solid_4 do not touch: they are 0.01 apart")) << summary;
+  EXPECT_TRUE(has(summary, "parts boxes/solid_2 and boxes/solid_3 OVERLAP: they have a volume of 100 in common")) << summary;
+  EXPECT_EQ(run("boxes.brep --fuzzy 0.1").status, 2);
 }
 
 TEST_F(Mesh_cad_groups, gmsh_fills_a_part)
