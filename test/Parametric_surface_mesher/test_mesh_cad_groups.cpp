@@ -267,6 +267,10 @@ TEST_F(Mesh_cad_groups, binary_files)
   for(const char* data : {"part_id", "color", "smallest_angle", "deviation", "curvature", "part_names", "face_names"})
     EXPECT_TRUE(has(vtu, std::string("Name=\"") + data + "\"")) << data;
   EXPECT_FALSE(has(vtu, "place_parameters"));
+  ASSERT_EQ(run("bridge.step --quiet --out bridge.ply").status, 0);
+  const std::string ply = content(file("bridge.ply"));
+  for(const char* property : {"uint face_id", "uint part_id", "uchar red", "uchar green", "uchar blue"})
+    EXPECT_TRUE(has(ply, std::string("property ") + property + "\n")) << property;
   ASSERT_EQ(run("bridge.step --quiet --node-parameters --out bridge.vtu").status, 0);
   EXPECT_TRUE(has(content(file("bridge.vtu")), "place_parameters"));
 }

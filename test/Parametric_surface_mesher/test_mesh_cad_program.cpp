@@ -116,12 +116,14 @@ TEST_F(Mesh_cad_program, counts_faces_from_1_in_ply_files)
 {
   ASSERT_EQ(run("box.brep --quiet --faces 2,6 --out box.ply").status, 0);
   const std::string ply = content(file("box.ply"));
-  EXPECT_NE(ply.find("property uint face_id\nend_header"), std::string::npos);
+  EXPECT_NE(ply.find("property uint face_id\nproperty uint part_id\nend_header"), std::string::npos);
   EXPECT_EQ(ply.find(" patch\n"), std::string::npos);
   std::istringstream triangles(ply.substr(ply.find("\n3 ") + 1));
   std::set<std::size_t> faces;
-  for(std::size_t n, a, b, c, face; triangles >> n >> a >> b >> c >> face;)
+  for(std::size_t n, a, b, c, face, part; triangles >> n >> a >> b >> c >> face >> part;) {
     faces.insert(face);
+    EXPECT_EQ(part, 1u);
+  }
   EXPECT_EQ(faces, (std::set<std::size_t>{2, 6}));
 }
 

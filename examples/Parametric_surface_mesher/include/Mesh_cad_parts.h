@@ -131,7 +131,7 @@ inline std::string description(const Names::Part& part)
 // The numbers, from 1, of what has names, by name.
 inline void print_named(std::ostream& out, const char* kind, const std::vector<std::string>& names)
 {
-  const std::size_t max_number_of_lines = 100;
+  const std::size_t max_number_of_lines = 20; // --json has all
   std::map<std::string, std::string> numbers;
   for(std::size_t i = 0; i < names.size(); ++i)
     if(!names[i].empty())
@@ -139,7 +139,7 @@ inline void print_named(std::ostream& out, const char* kind, const std::vector<s
   std::size_t number_of_lines = 0;
   for(const auto& name : numbers) {
     if(++number_of_lines > max_number_of_lines) {
-      out << "  and " << numbers.size() - max_number_of_lines << " more names of " << kind << "s\n";
+      out << "  and " << numbers.size() - max_number_of_lines << " more " << kind << " names\n";
       break;
     }
     out << "  " << kind << " '" << name.first << "':" << name.second << "\n";

@@ -10,6 +10,7 @@
 #include "Picture_triangles.h"
 #include "write_mesh_file.h"
 
+#include <CGAL/IO/Color.h>
 #include <CGAL/IO/write_BDF.h>
 #include <CGAL/IO/write_GLB.h>
 #include <CGAL/IO/write_INP.h>
@@ -22,8 +23,10 @@
 #include <CGAL/IO/write_MED.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <ostream>
 #include <string>
@@ -63,6 +66,32 @@ inline CGAL::Element_mesh_3 element_mesh(const Mesh_cad_options& options, const 
   if(!options.are_node_parameters_wanted)
     mesh.forget_parameters();
   return mesh;
+}
+
+// The numbers of the face and the part of each triangle, from 1, and colours, if the file has any.
+inline void write_ply(std::ostream& out, const Mesh_cad_result& result)
+{
+  typedef Cad_mesh::Mesh::Face_index Face_index;
+  Cad_mesh::Mesh mesh = result.mesh.mesh;
+  auto patch = mesh.add_property_map<Face_index, std::size_t>("f:patch").first; // which is there
+  const auto face_id = mesh.add_property_map<Face_index, std::uint32_t>("f:face_id").first,
+             part_id = mesh.add_property_map<Face_index, std::uint32_t>("f:part_id").first;
+  const auto parts = CGAL::Parametric_surface_mesher::internal::parts_of_model_faces(result.shape, result.names);
+  const auto& colors = result.names.face_colors;
+  for(const Face_index f : mesh.faces()) {
+    face_id[f] = std::uint32_t(result.shape.shape_faces[patch[f]] + 1);
+    part_id[f] = parts[patch[f]] == Names::none ? 0 : std::uint32_t(parts[patch[f]] + 1);
+  }
+  if(std::any_of(colors.begin(), colors.end(), [](const auto& color) { return color.has_value(); })) {
+    const auto color = mesh.add_property_map<Face_index, CGAL::IO::Color>("f:color").first;
+    const auto byte = [](double value) { return static_cast<unsigned char>((std::min)((std::max)(255 * value + 0.5, 0.), 255.)); };
+    for(const Face_index f : mesh.faces()) {
+      const Names::Color gray{0.75, 0.75, 0.75, 1}, c = colors[face_id[f] - 1].value_or(gray);
+      color[f] = CGAL::IO::Color(byte(c.red), byte(c.green), byte(c.blue), byte(c.opacity));
+    }
+  }
+  mesh.remove_property_map(patch);
+  mesh_patch::write_mesh(out, "mesh.ply", mesh);
 }
 
 // For libraries that write to files of their own. `write` takes a name and tells whether there is a file.
@@ -131,8 +160,10 @@ inline void write_result(std::ostream& out, const std::string& file_name, const 
     write_glb(out, options, result);
   else if(mesh_patch::has_ending(file_name, ".med"))
     write_med(out, options, result);
+  else if(mesh_patch::has_ending(file_name, ".ply"))
+    write_ply(out, result);
   else
-    mesh_patch::write_mesh(out, file_name, result.mesh.mesh, [&](std::size_t face) { return result.shape.shape_faces[face] + 1; });
+    mesh_patch::write_mesh(out, file_name, result.mesh.mesh);
 }
 
 } // namespace mesh_cad
