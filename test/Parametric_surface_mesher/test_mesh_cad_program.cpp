@@ -191,6 +191,25 @@ TEST_F(Mesh_cad_program, follows_sizes)
   EXPECT_LT(2 * coarse, edge);
 }
 
+// On the mantle of a cylinder curvature decides, on a flat box the maximum edge.
+TEST_F(Mesh_cad_program, follows_the_fineness)
+{
+  BRepTools::Write(BRepPrimAPI_MakeCylinder(1, 2).Shape(), file("cylinder.brep").c_str());
+  const auto numbers = [this](const std::string& options) { return json("cylinder.brep --quiet " + options); };
+  const nlohmann::json coarse = numbers("--fineness coarse"), normal = numbers("--fineness normal"), fine = numbers("--fineness fine");
+  EXPECT_LT(1.5 * coarse["triangles"].get<double>(), normal["triangles"].get<double>());
+  EXPECT_LT(1.5 * normal["triangles"].get<double>(), fine["triangles"].get<double>());
+  EXPECT_EQ(normal["triangles"], numbers("")["triangles"]);
+  EXPECT_NEAR(numbers("--elements-per-turn 16")["gamma"], 0.049, 1e-3);
+  EXPECT_EQ(numbers("--fineness coarse --gamma 0.05")["gamma"], 0.05);
+  double sum = 0;
+  for(const auto& share : normal["decided_by"])
+    sum += share.get<double>();
+  EXPECT_NEAR(sum, 1, 1e-9);
+  EXPECT_EQ(normal["decided_by"]["gamma"].get<double>() + normal["decided_by"]["distance"].get<double>() > 0.1, true);
+  EXPECT_EQ(json("box.step --quiet")["decided_by"]["gamma"], 0);
+}
+
 TEST_F(Mesh_cad_program, follows_the_unit)
 {
   EXPECT_NEAR(json("box.step --quiet --unit M")["area"], 22e-6, 1e-12);
@@ -376,6 +395,9 @@ TEST_F(Mesh_cad_program, refuses_what_it_cannot_do)
   expect_refused("box.step --face-size 1", "--face-size");
   expect_refused("box.step --edge-size 99:1", "there is no edge 99");
   expect_refused("box.step --unit PARSEC", "not a unit");
+  expect_refused("box.step --fineness ultra", "must be coarse, normal or fine");
+  expect_refused("box.step --elements-per-turn 2", "--elements-per-turn");
+  expect_refused("box.step --elements-per-turn 20 --gamma 0.1", "exclude each other");
   expect_refused("box.step --edge-size 1:1e-9", "is below that of --min-edge");
   expect_refused("box.step --face-size 1:1e-9", "is below that of --min-edge");
   expect_refused("box.step --out nowhere/a.off", "cannot write");

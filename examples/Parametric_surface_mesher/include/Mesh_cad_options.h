@@ -6,6 +6,7 @@
 #define MESH_CAD_OPTIONS_H
 
 #include "Size_spheres.h"
+#include "Mesh_cad_fineness.h"
 #include "Usage_error.h"
 
 #include <boost/optional.hpp>
@@ -25,6 +26,9 @@ struct Mesh_cad_options
   std::string input, out, picture, json, unit = "MM";
   std::string face_list, face_sizes, edge_sizes, self_intersections = "report";
   std::vector<std::string> sphere_list, part_lists;
+  std::string fineness = "normal";
+  double elements_per_turn = 0; // 0 if not given
+  double share_of_max_edge = 0; // of the diagonal, from `fineness`
   double max_edge = 0, min_edge = 0, distance = 0, detail = 0; // 0 if not given
   double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8, growth = 0;
   double sewing_tolerance = -1; // 0 for never, below 0 if not given
@@ -80,6 +84,8 @@ const char* const conclusion =
   "                                 each other: the number of pairs of triangles, a place,\n"
   "                                 and whether the shape itself meets itself there\n"
   "  distance                       the largest distance measured from surfaces and edges to the mesh\n"
+  "  decided_by                     the shares of triangles whose size is decided by the maximum edge,\n"
+  "                                 by gamma, by the distance, or by what is around them\n"
   "  distance_over_diagonal         the same as a share of the diagonal of the shape's bounding box\n"
   "  second_order                   of six-node triangles: their smallest scaled Jacobian (1: straight,\n"
   "                                 0: folded), those not certified, edges curved less to avoid folds,\n"
@@ -106,6 +112,8 @@ inline po::options_description described_options(Mesh_cad_options& o)
   const auto text = [](std::string& target, const char* name) { return po::value<std::string>(&target)->value_name(name); };
   po::options_description criteria("Criteria (default)", 92);
   criteria.add_options()
+    ("fineness", text(o.fineness, "NAME"), "defaults of the options below: coarse (--gamma 0.08 --relative-distance 0.002 --growth 0.2), normal, or fine (--gamma 0.03 --relative-distance 0.000125, edges of at most 1/40 of the diagonal) (normal)")
+    ("elements-per-turn", number(o.elements_per_turn), "edges around a full circle, in place of --gamma: 8 are about a gamma of 0.1, 16 one of 0.05")
     ("max-edge", number(o.max_edge), "wanted edge length where nothing else requires shorter edges (1/20 of the diagonal)")
     ("min-edge", number(o.min_edge), "edges are not divided into pieces shorter than this (1/1000 of the diagonal, or --max-edge if that is less)")
     ("gamma", number(o.gamma), "largest deviation ratio H/L of an edge: arc height over length (0.05)")
@@ -201,6 +209,10 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
 {
   for(const char* option : {"max-edge", "min-edge", "gamma", "distance", "relative-distance", "detail", "closeness"})
     mesh_patch::check_positive(given, option);
+  if(given.count("elements-per-turn") != 0 && !(o.elements_per_turn >= 3 && o.elements_per_turn <= 1e6))
+    throw Usage_error("--elements-per-turn: the number must be at least 3 and at most 1000000");
+  if(given.count("elements-per-turn") != 0 && given.count("gamma") != 0)
+    throw Usage_error("--elements-per-turn and --gamma exclude each other");
   if(!(o.angle >= 0 && o.angle < 60))
     throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
   if(!(o.growth >= 0 && o.growth < 10))
@@ -225,6 +237,20 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--detail and --keep-detail exclude each other");
   if(o.max_edge > 0 && o.min_edge > o.max_edge)
     throw Usage_error("--min-edge must not be larger than --max-edge");
+}
+
+// Of the options that are not given.
+inline void take_defaults_of_fineness(const po::variables_map& given, Mesh_cad_options& o)
+{
+  const Fineness& preset = fineness_called(o.fineness);
+  o.share_of_max_edge = preset.max_edge;
+  const auto take = [&](const char* option, double value, double& target) {
+    if(given.count(option) == 0)
+      target = value;
+  };
+  take("gamma", o.elements_per_turn > 0 ? gamma_of_elements_per_turn(o.elements_per_turn) : preset.gamma, o.gamma);
+  take("relative-distance", preset.relative_distance, o.relative_distance);
+  take("growth", preset.growth, o.growth);
 }
 
 } // namespace mesh_cad
@@ -255,6 +281,7 @@ inline Mesh_cad_options read_mesh_cad_options(int argc, char** argv)
   if(o.input.empty())
     throw Usage_error("no input file is given; --help lists the options");
   check_values(given, o);
+  take_defaults_of_fineness(given, o);
   if(given.count("faces") != 0)
     o.faces = numbers_in("faces", o.face_list);
   if(given.count("face-size") != 0)

@@ -155,6 +155,7 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"self_intersections", json_of_intersections(result)},
           {"distance", m.distance},
           {"distance_over_diagonal", m.distance / result.shape.diagonal},
+          {"decided_by", json_of_bounds(result.deciding_bounds)},
           {"unmet_by", mesh_patch::json_of_unmet(result.report)},
           {"unjudged", result.report.number_of_unjudged_faces},
           {"work_limits", result.report.number_of_work_limits},
@@ -311,6 +312,7 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
       << " of its diagonal)\n";
   if(result.second_order)
     mesh_patch::print_second_order(out, *result.second_order);
+  print_deciding_bound(out, result.deciding_bounds);
   mesh_patch::print_unmet(out, result.report);
   out << "  " << result.meshing_seconds << " s for meshing (reading " << result.reading_seconds << ", model "
       << result.model_seconds << ", measuring " << result.measuring_seconds << ")\n";

@@ -10,6 +10,7 @@
 #include "Mesh_cad_parts.h"
 #include "Progress_line.h"
 #include "Second_order_measures.h"
+#include "deciding_bounds.h"
 #include "measure_cad_mesh.h"
 #include "triangle_data.h"
 #include "unit_of_length.h"
@@ -59,6 +60,7 @@ struct Mesh_cad_result
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
   Cad_mesh_measures measures;
+  mesh_cad::Deciding_bounds deciding_bounds;
   boost::optional<Second_order_measures> second_order;
   CGAL::Open_cascade_names_3 names;
   std::vector<CGAL::Element_mesh_3::Data> triangle_data; // if the file of the mesh shows it
@@ -164,7 +166,7 @@ inline void set_sizes(const Mesh_cad_options& options, CGAL::Open_cascade_model_
 inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_options& o, double diagonal)
 {
   CGAL::Parametric_surface_mesh_criteria criteria;
-  const double max_edge = o.max_edge > 0 ? o.max_edge : (std::max)(diagonal / 20, o.min_edge);
+  const double max_edge = o.max_edge > 0 ? o.max_edge : (std::max)(o.share_of_max_edge * diagonal, o.min_edge);
   criteria.set_max_edge(max_edge).set_min_edge(o.min_edge > 0 ? o.min_edge : (std::min)(diagonal / 1000, max_edge));
   criteria.set_gamma(o.gamma).set_angle(o.angle).set_closeness(o.closeness).set_growth(o.growth);
   using CGAL::Parametric_surface_mesher::Self_intersections;
@@ -367,6 +369,7 @@ inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& res
     if(result.second_order)
       result.second_order->distance = CGAL::second_order_mesh_distance(
         result.shape.model, result.mesh.mesh, result.mesh.mid_side_nodes, result.mesh.places(), mesh_patch::subdivisions_for_distance);
+    result.deciding_bounds = deciding_bounds(result.mesh, result.shape, result.criteria);
     result.measures = measure(result.mesh, result.shape, result.criteria.min_edge());
     if(mesh_patch::has_ending(options.out, ".vtu"))
       result.triangle_data = triangle_data(result.mesh, result.shape);

@@ -1,0 +1,75 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which bound makes the triangles of a mesh as small as they are.
+#ifndef DECIDING_BOUNDS_H
+#define DECIDING_BOUNDS_H
+
+#include "measure_cad_mesh.h"
+
+#include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Surface_curvature_3.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <ostream>
+#include <utility>
+
+namespace mesh_cad {
+
+// The shares of triangles whose size is decided by a bound.
+struct Deciding_bounds
+{
+  double max_edge = 0, gamma = 0, distance = 0;
+  double surroundings = 0; // short edges and narrow places of the boundary, sizes of faces and edges, and what grows from these
+};
+
+inline Deciding_bounds deciding_bounds(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape,
+                                       const CGAL::Parametric_surface_mesh_criteria& criteria)
+{
+  const double share_of_bound = 0.5; // triangles that are smaller are so for the sake of what is around them
+  const double factor_of_chord = 6; // of a triangle, by the height over its circumcircle; of an edge it is 8
+  Deciding_bounds numbers;
+  for(const auto f : mesh.mesh.faces()) {
+    const Triangle_corners c = corners(mesh, f);
+    const auto uv = at(c, {1. / 3, 1. / 3, 1. / 3});
+    const auto& face = shape.model.faces()[mesh.patch[f]];
+    const double curvature = CGAL::Surface_curvature_3<Kernel>(face.surface.jet(uv.x(), uv.y())).max_absolute_curvature(),
+                 length = std::sqrt(std::sqrt(CGAL::squared_area(c.points[0], c.points[1], c.points[2])) * 4 / std::sqrt(3.));
+    const double by_gamma = factor_of_chord * criteria.gamma() / curvature,
+                 by_distance = criteria.distance() ? std::sqrt(factor_of_chord * *criteria.distance() / curvature) : by_gamma,
+                 by_size = criteria.max_edge(), least = (std::min)({by_gamma, by_distance, by_size});
+    double& number = !(length > share_of_bound * least) ? numbers.surroundings
+                     : least == by_size                ? numbers.max_edge
+                     : least == by_gamma               ? numbers.gamma
+                                                       : numbers.distance;
+    ++number;
+  }
+  for(double* number : {&numbers.max_edge, &numbers.gamma, &numbers.distance, &numbers.surroundings})
+    *number /= (std::max)(1., double(mesh.mesh.number_of_faces()));
+  return numbers;
+}
+
+inline nlohmann::ordered_json json_of_bounds(const Deciding_bounds& bounds)
+{
+  return {{"max_edge", bounds.max_edge}, {"gamma", bounds.gamma}, {"distance", bounds.distance}, {"surroundings", bounds.surroundings}};
+}
+
+// The most important one.
+inline void print_deciding_bound(std::ostream& out, const Deciding_bounds& bounds)
+{
+  const std::array<std::pair<double, const char*>, 4> all = {{{bounds.max_edge, "the maximum edge length (--max-edge)"},
+                                                              {bounds.gamma, "curvature and the deviation ratio (--gamma)"},
+                                                              {bounds.distance, "curvature and the distance (--distance)"},
+                                                              {bounds.surroundings, "short edges, narrow places and given sizes nearby (--closeness, --growth)"}}};
+  const auto largest = std::max_element(all.begin(), all.end());
+  out << "  " << std::lround(100 * largest->first) << " % of the triangles are as small as they are because of " << largest->second << "\n";
+}
+
+} // namespace mesh_cad
+
+#endif // DECIDING_BOUNDS_H
