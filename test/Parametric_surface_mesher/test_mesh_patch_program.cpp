@@ -313,7 +313,10 @@ TEST_F(Mesh_patch_program, curves_triangles)
     EXPECT_LT(numbers["second_order"]["distance"], numbers["max_distance"].get<double>() / 20);
     EXPECT_TRUE(numbers["second_order"]["uncertified"].empty());
   }
-  expect_refused("torus --order 0", "--order");
+  EXPECT_EQ(run("box --order 2 --out box.inp").status, 0);
+  EXPECT_NE(content(file("box.inp")).find("TYPE=S6"), std::string::npos);
+  expect_refused("box --order 2 --out box.off", "must end in");
+  expect_refused("box --order 0", "--order");
 }
 
 TEST_F(Mesh_patch_program, joins_the_patches_of_the_teapot)

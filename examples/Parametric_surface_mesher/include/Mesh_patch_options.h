@@ -120,7 +120,7 @@ inline po::options_description described_options(Mesh_patch_options& o)
   po::options_description output("Output", 92);
   add_order(output, o.order);
   output.add_options()
-    ("out", file(o.out), "the mesh, as .off, .obj, .ply or .stl")
+    ("out", file(o.out), "the mesh, as .off, .obj, .ply or .stl; with --order 2 as .vtu, .msh, .inp or .bdf")
     ("uv", file(o.uv), "the same triangles in the domain, as points (u,v,0); endings as for --out")
     ("picture", file(o.picture), "a picture of the mesh, as .svg")
     ("uv-picture", file(o.uv_picture), "a picture of the triangles in the domain, as .svg")

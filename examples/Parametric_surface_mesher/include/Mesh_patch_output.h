@@ -14,6 +14,7 @@
 #include "Unmet_count.h"
 #include "write_mesh_file.h"
 #include "write_mesh_picture.h"
+#include "write_second_order_patch.h"
 
 #include <nlohmann/json.hpp>
 
@@ -161,8 +162,11 @@ inline Output_files output_files(const Mesh_patch_options& o, const Mesh_patch_i
     files.add(name, std::move(write));
   };
   const std::vector<std::string> formats = {".off", ".obj", ".ply", ".stl"};
-  add("out", o.out, formats, [&](std::ostream& out) {
-    write_mesh(out, o.out, result.mesh, [](std::size_t patch) { return patch + 1; });
+  add("out", o.out, o.order == 2 ? endings_for_second_order() : formats, [&](std::ostream& out) {
+    if(result.second_order)
+      write_second_order(out, o.out, result);
+    else
+      write_mesh(out, o.out, result.mesh, [](std::size_t patch) { return patch + 1; });
   });
   add("uv", o.uv, formats, [&](std::ostream& out) { write_mesh(out, o.uv, domain_mesh(result)); });
   add("picture", o.picture, {".svg"}, [&](std::ostream& out) { write_picture(out, input, result); });

@@ -38,7 +38,9 @@ struct Mesh_patch_result
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
   CGAL::Triangle_mesh_deviation deviation; // over all patches
+  Face_patch_map patch_of_face;
   boost::optional<Second_order_measures> second_order;
+  Mesh::Property_map<Mesh::Edge_index, Sample_kernel::Point_3> mid_side_nodes; // there are some if the elements are of second order
   std::deque<Patch_triangles> patches;     // in a deque, since they cannot be moved in memory
   std::vector<std::vector<Ellipse>> ellipses; // by patch
 };
@@ -128,7 +130,7 @@ inline void measure(const Mesh_patch_input& input, const Halfedge_uv_map& uv, co
 template <class Maps>
 void make_second_order(const Mesh_patch_input& input, const Maps& maps, Mesh_patch_result& result)
 {
-  const auto nodes = result.mesh.add_property_map<Mesh::Edge_index, Sample_kernel::Point_3>("e:node").first;
+  const auto nodes = result.mid_side_nodes = result.mesh.add_property_map<Mesh::Edge_index, Sample_kernel::Point_3>("e:node").first;
   const auto make = [&](const auto&... shape) {
     result.second_order = Second_order_measures{CGAL::make_second_order_mesh(shape..., result.mesh, nodes, maps),
                                                 CGAL::second_order_mesh_distance(shape..., result.mesh, nodes, maps, subdivisions_for_distance)};
@@ -145,7 +147,7 @@ void mesh_with_metric(const Mesh_patch_input& input, const Mesh_patch_options& o
 {
   namespace parameters = CGAL::parameters;
   const Halfedge_uv_map uv = result.mesh.add_property_map<Mesh::Halfedge_index, Sample_kernel::Point_2>("h:uv").first;
-  const Face_patch_map patch = result.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
+  const Face_patch_map patch = result.patch_of_face = result.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
   const auto edge_place
     = result.mesh.add_property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place>("e:place").first;
   const auto places = parameters::halfedge_uv_map(uv, parameters::face_patch_id_map(patch, parameters::edge_place_map(edge_place)));
