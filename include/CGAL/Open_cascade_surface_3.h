@@ -19,6 +19,8 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_surface.h>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRep_Tool.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS_Face.hxx>
 
 #include <array>
@@ -64,6 +66,9 @@ public:
   explicit Open_cascade_surface_3(const TopoDS_Face& face)
   {
     using namespace Parametric_surface_mesher::internal;
+    TopLoc_Location location;
+    if(BRep_Tool::Surface(face, location).IsNull()) // as in a damaged file
+      throw Parametric_surface_mesh_error("the face has no surface");
     guarded([&] {
       const BRepAdaptor_Surface adaptor(face, false);
       m_surface = std::make_shared<const Any_surface>(convert_surface<Geom_traits>(adaptor));

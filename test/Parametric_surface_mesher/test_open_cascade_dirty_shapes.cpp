@@ -108,6 +108,32 @@ TEST(Dirty_shapes, triangles_with_edges_in_mixed_directions)
   }
 }
 
+TEST(Dirty_shapes, faces_without_a_surface_are_left_out)
+{
+  TopoDS_Face face;
+  BRep_Builder().MakeFace(face);
+  BRep_Builder().Add(face, BRepBuilderAPI_MakePolygon(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(0, 1, 0), true).Wire());
+  const Meshed_shape meshed(compound_of({face, cylinder_face()}));
+  ASSERT_EQ(meshed.shape.left_out.size(), 1u);
+  EXPECT_NE(meshed.shape.left_out[0].reason.find("no surface"), std::string::npos) << meshed.shape.left_out[0].reason;
+  EXPECT_NEAR(meshed.quality.area, 3.2, 0.01);
+}
+
+// A tolerance that allows for a wrong curve does not make it right.
+TEST(Dirty_shapes, curves_in_the_domain_within_wide_tolerances_are_rebuilt)
+{
+  const TopoDS_Face face = cylinder_face();
+  const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(face, TopAbs_EDGE).Current());
+  const double off = 0.02;
+  double first, last;
+  const Handle(Geom2d_Curve) curve
+    = Handle(Geom2d_Curve)::DownCast(BRep_Tool::CurveOnSurface(edge, face, first, last)->Translated(gp_Vec2d(0, off)));
+  BRep_Builder().UpdateEdge(edge, curve, face, off);
+  const Meshed_shape meshed(face);
+  EXPECT_EQ(meshed.shape.number_of_rebuilt_curves, 1u);
+  EXPECT_LT(meshed.shape.largest_gap, 1e-6);
+}
+
 TEST(Dirty_shapes, curves_in_the_domain_that_are_far_off_are_rebuilt)
 {
   const TopoDS_Face face = cylinder_face();

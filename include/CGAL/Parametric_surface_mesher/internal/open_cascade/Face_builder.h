@@ -53,8 +53,9 @@ class Face_builder
   // As shares of the diagonal of the shape. A curve that is farther from its edge than the first is projected anew if that
   // helps; farther than the second, its face is refused.
   static constexpr double distrusted_gap = 1e-4, refused_gap = 1e-2;
-  // A curve is not distrusted either if it is within so many tolerances of the edge in the file.
-  static constexpr double trusted_tolerances = 10;
+  // A curve is not distrusted either if it is within so many tolerances of the edge in the file, as far as these are trusted: readers
+  // widen tolerances to whatever their own projections of curves are off by.
+  static constexpr double trusted_tolerances = 10, most_trusted_gap = 2.5e-4;
   // As a share of the diagonal: points of loops closer than this are the same point. The default precision of Open CASCADE for a
   // shape of size 1.
   static constexpr double least_tolerance = 1e-7;
@@ -186,7 +187,8 @@ private:
 
   double distrusted(std::size_t edge) const
   {
-    return (std::max)(distrusted_gap * m_result.diagonal, trusted_tolerances * tolerance(edge));
+    return (std::max)(distrusted_gap * m_result.diagonal,
+                      (std::min)(trusted_tolerances * tolerance(edge), most_trusted_gap * m_result.diagonal));
   }
 
   // The largest distance between the image of a curve and its edge in space, at the same parameters, and at the ends between the

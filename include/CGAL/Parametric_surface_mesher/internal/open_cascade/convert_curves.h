@@ -19,6 +19,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
+#include <Precision.hxx>
 #include <ShapeConstruct_ProjectCurveOnSurface.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -186,7 +187,8 @@ std::optional<Domain_curve_2<Kernel>> convert_domain_curve(const TopoDS_Edge& ed
   return to_domain_curve<Kernel>(pcurve, range);
 }
 
-// The curve of an edge in the domain of a face, computed by projecting its curve in space.
+// The curve of an edge in the domain of a face, computed by projecting its curve in space. The precision is not the tolerance of the edge:
+// if that is wide the result may be as far off.
 // \pre the edge is no seam of the face
 template <class Kernel>
 std::optional<Domain_curve_2<Kernel>> project_domain_curve(const TopoDS_Edge& edge, const TopoDS_Face& face)
@@ -196,7 +198,7 @@ std::optional<Domain_curve_2<Kernel>> project_domain_curve(const TopoDS_Edge& ed
   if(curve.IsNull())
     return std::nullopt;
   ShapeConstruct_ProjectCurveOnSurface project;
-  project.Init(BRep_Tool::Surface(face), BRep_Tool::Tolerance(edge));
+  project.Init(BRep_Tool::Surface(face), Precision::Confusion());
   Handle(Geom2d_Curve) result;
   if(!project.Perform(curve, range.first, range.last, result) || result.IsNull())
     return std::nullopt;
