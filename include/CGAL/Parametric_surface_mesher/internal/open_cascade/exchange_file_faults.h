@@ -127,6 +127,19 @@ inline bool is_whole_iges_file(const std::string& file_name)
   return true;
 }
 
+// Records are numbered within their sections. With those of a section in another order the reader of Open CASCADE leaves out entities.
+inline bool are_iges_records_in_order(const std::string& file_name)
+{
+  const std::size_t column_of_section = 72, width_of_number = 7;
+  std::map<char, std::size_t> counts;
+  std::string line;
+  for(std::ifstream file(file_name); std::getline(file, line);)
+    if(line.size() > column_of_section
+       && std::strtoul(line.substr(column_of_section + 1, width_of_number).c_str(), nullptr, 10) != ++counts[line[column_of_section]])
+      return false;
+  return true;
+}
+
 // \pre the roots are transferred
 inline std::vector<std::string> faults_of_file(const IGESControl_Reader& reader, const std::string& file_name)
 {
@@ -134,6 +147,8 @@ inline std::vector<std::string> faults_of_file(const IGESControl_Reader& reader,
   Exchange_file_faults result;
   if(!is_whole_iges_file(file_name))
     result.add_sentence("the file has lost a part: its last record does not tell how long its sections are");
+  else if(!are_iges_records_in_order(file_name))
+    result.add_sentence("records of the file are missing or not in the order of their numbers");
   const Handle(Interface_InterfaceModel) model = reader.Model();
   const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
   for(int i = 1; i <= model->NbEntities(); ++i) {
