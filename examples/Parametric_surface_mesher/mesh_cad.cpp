@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Meshes the faces of a STEP, IGES or BREP file from the command line: see mesh_cad --help.
+#include "Mesh_cad_intersections.h"
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_output.h"
 #include "Mesh_cad_result.h"
@@ -13,6 +14,14 @@
 #include <string>
 
 namespace {
+
+// Whether the mesh is one of all that the file has, and of what was asked for.
+bool is_whole(const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  const bool is_part_wanted = !options.faces.empty() || !options.part_lists.empty();
+  return result.left_out.empty() && result.file_faults.empty() && result.number_of_lost_faces == 0
+         && (is_part_wanted || result.quality.is_closed || !result.shape.is_shape_closed) && !mesh_cad::intersects_itself(result);
+}
 
 // returns the exit status
 int run(const Mesh_cad_options& options)
@@ -27,7 +36,7 @@ int run(const Mesh_cad_options& options)
   files.write();
   if(!options.is_quiet)
     mesh_cad::print_summary(std::cout, options, result);
-  return result.left_out.empty() && result.file_faults.empty() && !mesh_cad::intersects_itself(result) ? 0 : 1;
+  return is_whole(options, result) ? 0 : 1;
 }
 
 int fail(std::string message)

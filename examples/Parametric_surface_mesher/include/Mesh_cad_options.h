@@ -24,7 +24,7 @@
 struct Mesh_cad_options
 {
   std::string input, out, picture, json, unit = "MM";
-  std::string face_list, face_sizes, edge_sizes, self_intersections = "report";
+  std::string face_list, face_sizes, edge_sizes, self_intersections = "refine";
   std::vector<std::string> sphere_list, part_lists;
   std::string fineness = "normal";
   double elements_per_turn = 0; // 0 if not given
@@ -103,8 +103,9 @@ const char* const conclusion =
   "  seconds                        processor time: reading, model, meshing, measuring\n"
   "\n"
   "Exit status: 0 if all faces are meshed, or closed up; 1 if some are left out, and the files\n"
-  "are written without them, or if the mesh of a solid intersects itself where the shape does not;\n"
-  "2 after an error, which is one line on the standard error output, and no file is written.\n";
+  "are written without them, if the mesh is not closed although the shape is, or if the mesh of a\n"
+  "solid intersects itself where the shape does not; 2 after an error, which is one line on the\n"
+  "standard error output, and no file is written.\n";
 
 inline po::options_description described_options(Mesh_cad_options& o)
 {
@@ -130,7 +131,7 @@ inline po::options_description described_options(Mesh_cad_options& o)
      "wanted edge length L in the sphere of radius R around the point X,Y,Z, growing outside by 0.2 of the distance; may be given several times");
   criteria.add_options()
     ("self-intersections", text(o.self_intersections, "WHAT"),
-     "triangles of one solid that pass through each other: refine (mesh again with shorter edges there, as far as that helps; list the rest), report or ignore (report)");
+     "triangles of one solid that pass through each other: refine (mesh again with shorter edges there, as far as that helps; list the rest), report or ignore (refine)");
   mesh_patch::add_sweeps(criteria, o.sweeps);
   po::options_description input("Input", 92);
   input.add_options()

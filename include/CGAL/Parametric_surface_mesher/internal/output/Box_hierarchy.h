@@ -36,11 +36,9 @@ struct Small_box
   template <class Point>
   void add(const Point& p)
   {
-    const float infinity = (std::numeric_limits<float>::infinity)();
     for(int i = 0; i < 3; ++i) {
-      const float c = float(p[i]);
-      lower[i] = (std::min)(lower[i], double(c) > p[i] ? std::nextafter(c, -infinity) : c);
-      upper[i] = (std::max)(upper[i], double(c) < p[i] ? std::nextafter(c, infinity) : c);
+      lower[i] = (std::min)(lower[i], rounded_down(p[i]));
+      upper[i] = (std::max)(upper[i], -rounded_down(-p[i]));
     }
   }
 
@@ -59,10 +57,26 @@ struct Small_box
   }
 
   float center(int axis) const { return 0.5f * (lower[axis] + upper[axis]); }
+
+  int longest_axis() const
+  {
+    int result = 0;
+    for(int i = 1; i < 3; ++i)
+      if(upper[i] - lower[i] > upper[result] - lower[result])
+        result = i;
+    return result;
+  }
+
+private:
+  static float rounded_down(double c)
+  {
+    const float result = float(c);
+    return double(result) > c ? std::nextafter(result, -(std::numeric_limits<float>::infinity)()) : result;
+  }
 };
 
-// A tree of boxes that finds all pairs of them which overlap. Unlike `box_self_intersection_d()` it takes about 40 bytes a box, and
-// the order of boxes that is close to that in space is made use of.
+// A tree of boxes that finds all pairs of them which overlap. Nodes are halved when they are first looked into, so that boxes which are
+// far from all others cost little.
 class Box_hierarchy
 {
   typedef std::uint32_t Index;
@@ -72,94 +86,116 @@ class Box_hierarchy
   struct Node
   {
     Small_box box;
-    Index begin, end;    // of its boxes in the order
-    Index right;         // the index of its right child, after which come all below the left one; 0 for a leaf
+    Index begin, end; // of its boxes in the order
+    Index left;       // the index of its left child, before that of the right one; 0 if it is not halved
   };
 
-  const std::vector<Small_box>& m_boxes;
-  std::vector<Index> m_order;
-  std::vector<Node> m_nodes;
+  typedef std::vector<std::pair<Index, Index>> Pairs; // of nodes
+
+  std::vector<Small_box> m_boxes;
+  mutable std::vector<Index> m_order;
+  mutable std::vector<Node> m_nodes;
 
 public:
-  explicit Box_hierarchy(const std::vector<Small_box>& boxes) : m_boxes(boxes), m_order(boxes.size())
+  explicit Box_hierarchy(std::vector<Small_box> boxes) : m_boxes(std::move(boxes)), m_order(m_boxes.size())
   {
     std::iota(m_order.begin(), m_order.end(), Index(0));
-    if(!boxes.empty())
-      build(0, Index(boxes.size()));
+    append_node(0, Index(m_boxes.size()));
   }
+
+  // The box of all boxes.
+  const Small_box& box() const { return m_nodes.front().box; }
 
   // Calls `function` once with the indices of each two boxes that overlap.
   template <class Function>
   void for_each_overlapping_pair(const Function& function) const
   {
-    std::vector<std::pair<Index, Index>> pairs; // of nodes
-    if(!m_nodes.empty())
-      pairs.emplace_back(0, 0);
-    while(!pairs.empty()) {
-      const auto pair = pairs.back();
-      pairs.pop_back();
-      visit(pair.first, pair.second, pairs, function);
-    }
+    visit_pairs(*this, function);
+  }
+
+  // Calls `function` with the indices of each box and a box of another hierarchy that overlap.
+  template <class Function>
+  void for_each_overlapping_pair(const Box_hierarchy& other, const Function& function) const
+  {
+    visit_pairs(other, function);
   }
 
 private:
-  // Halves the boxes at the median of their centers along the longest axis.
-  Index build(Index begin, Index end)
+  void append_node(Index begin, Index end) const
   {
-    const Index node = Index(m_nodes.size());
-    m_nodes.push_back({Small_box(), begin, end, 0});
     Small_box box;
     for(Index i = begin; i != end; ++i)
       box.add(m_boxes[m_order[i]]);
-    m_nodes[node].box = box;
-    if(end - begin > size_of_leaf) {
-      int axis = 0;
-      for(int i = 1; i < 3; ++i)
-        if(box.upper[i] - box.lower[i] > box.upper[axis] - box.lower[axis])
-          axis = i;
-      const Index middle = begin + (end - begin) / 2;
+    m_nodes.push_back({box, begin, end, 0});
+  }
+
+  // Halves a node, if it has not been, at the median of the centers along the longest axis of its box.
+  // \pre it is no leaf
+  Index left(Index node) const
+  {
+    if(m_nodes[node].left == 0) {
+      const Index begin = m_nodes[node].begin, end = m_nodes[node].end, middle = begin + (end - begin) / 2;
+      const int axis = m_nodes[node].box.longest_axis();
       std::nth_element(m_order.begin() + begin, m_order.begin() + middle, m_order.begin() + end, [&](Index a, Index b) {
         return std::make_pair(m_boxes[a].center(axis), a) < std::make_pair(m_boxes[b].center(axis), b);
       });
-      build(begin, middle);
-      const Index right = build(middle, end);
-      m_nodes[node].right = right;
+      m_nodes[node].left = Index(m_nodes.size());
+      append_node(begin, middle);
+      append_node(middle, end);
     }
-    return node;
+    return m_nodes[node].left;
   }
 
+  Index size(Index node) const { return m_nodes[node].end - m_nodes[node].begin; }
+
   template <class Function>
-  void visit(Index a, Index b, std::vector<std::pair<Index, Index>>& pairs, const Function& function) const
+  void visit_pairs(const Box_hierarchy& other, const Function& function) const
   {
-    const Node &m = m_nodes[a], &n = m_nodes[b];
-    const auto add = [&](Index i, Index k) {
-      if(i == k || m_nodes[i].box.overlaps(m_nodes[k].box))
-        pairs.emplace_back(i, k);
-    };
-    if(a == b && m.right != 0) {
-      add(a + 1, a + 1);
-      add(m.right, m.right);
-      add(a + 1, m.right);
+    Pairs pairs;
+    add_pair(0, other, 0, pairs);
+    while(!pairs.empty()) {
+      const auto pair = pairs.back();
+      pairs.pop_back();
+      visit(pair.first, other, pair.second, pairs, function);
     }
-    else if(m.right != 0 && (n.right == 0 || m.end - m.begin >= n.end - n.begin)) {
-      add(a + 1, b);
-      add(m.right, b);
-    }
-    else if(n.right != 0) {
-      add(a, b + 1);
-      add(a, n.right);
-    }
-    else
-      compare(m, n, a == b, function);
+  }
+
+  void add_pair(Index node, const Box_hierarchy& other, Index other_node, Pairs& pairs) const
+  {
+    if(m_nodes[node].box.overlaps(other.m_nodes[other_node].box))
+      pairs.emplace_back(node, other_node);
   }
 
   template <class Function>
-  void compare(const Node& m, const Node& n, bool are_same, const Function& function) const
+  void visit(Index a, const Box_hierarchy& other, Index b, Pairs& pairs, const Function& function) const
+  {
+    if(size(a) <= size_of_leaf && other.size(b) <= size_of_leaf)
+      compare(m_nodes[a], other, other.m_nodes[b], function);
+    else if(this == &other && a == b) {
+      const Index child = left(a);
+      pairs.emplace_back(child, child);
+      pairs.emplace_back(child + 1, child + 1);
+      add_pair(child, other, child + 1, pairs);
+    }
+    else if(size(a) >= other.size(b)) {
+      const Index child = left(a);
+      add_pair(child, other, b, pairs);
+      add_pair(child + 1, other, b, pairs);
+    }
+    else {
+      const Index child = other.left(b);
+      add_pair(a, other, child, pairs);
+      add_pair(a, other, child + 1, pairs);
+    }
+  }
+
+  template <class Function>
+  void compare(const Node& m, const Box_hierarchy& other, const Node& n, const Function& function) const
   {
     for(Index i = m.begin; i != m.end; ++i)
-      for(Index k = are_same ? i + 1 : n.begin; k != n.end; ++k)
-        if(m_boxes[m_order[i]].overlaps(m_boxes[m_order[k]]))
-          function(std::size_t(m_order[i]), std::size_t(m_order[k]));
+      for(Index k = &m == &n ? i + 1 : n.begin; k != n.end; ++k)
+        if(m_boxes[m_order[i]].overlaps(other.m_boxes[other.m_order[k]]))
+          function(std::size_t(m_order[i]), std::size_t(other.m_order[k]));
   }
 };
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Box_hierarchy.h>
+#include <CGAL/Parametric_surface_mesher/internal/output/Flat_pieces.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Intersecting_triangles.h>
 
@@ -79,22 +80,52 @@ private:
     return {to_double(p.x()), to_double(p.y()), to_double(p.z())};
   }
 
+  // A piece of the surface of a solid.
+  struct Piece
+  {
+    std::uint32_t part;
+    std::vector<std::uint32_t> faces; // of the part
+    Box_hierarchy boxes;
+  };
+
+  // Pieces with triangles that cannot meet each other are not looked into but where others are close.
   void append_pairs(const std::vector<std::size_t>& parts, std::vector<Pair>& result) const
   {
-    std::vector<Place> places;
+    std::vector<Piece> pieces;
     std::vector<Small_box> boxes;
-    for(const std::size_t p : parts)
-      for(std::size_t f = 0; f < m_mesh.parts[p].faces.size(); ++f) {
-        places.push_back({std::uint32_t(p), std::uint32_t(f)});
-        boxes.emplace_back();
-        for(const auto& corner : triangle(places.back()))
-          boxes.back().add(corner);
+    for(const std::size_t p : parts) {
+      const auto& part = m_mesh.parts[p];
+      Flat_pieces<typename Mesh::Part> flat_pieces(part);
+      for(auto& flat : flat_pieces([&](std::size_t v) { return point(part, v); })) {
+        pieces.push_back({std::uint32_t(p), std::move(flat.faces), Box_hierarchy({})});
+        Piece& piece = pieces.back();
+        piece.boxes = Box_hierarchy(boxes_of(piece));
+        boxes.push_back(piece.boxes.box());
+        if(!flat.is_apart)
+          piece.boxes.for_each_overlapping_pair([&](std::size_t i, std::size_t k) { compare(piece, i, piece, k, result); });
       }
-    const Intersecting_triangles intersect;
-    Box_hierarchy(boxes).for_each_overlapping_pair([&](std::size_t i, std::size_t k) {
-      if(intersect(triangle(places[i]), triangle(places[k])))
-        result.push_back({(std::min)(places[i], places[k]), (std::max)(places[i], places[k])});
+    }
+    Box_hierarchy(std::move(boxes)).for_each_overlapping_pair([&](std::size_t a, std::size_t b) {
+      pieces[a].boxes.for_each_overlapping_pair(pieces[b].boxes, [&](std::size_t i, std::size_t k) {
+        compare(pieces[a], i, pieces[b], k, result);
+      });
     });
+  }
+
+  std::vector<Small_box> boxes_of(const Piece& piece) const
+  {
+    std::vector<Small_box> result(piece.faces.size());
+    for(std::size_t i = 0; i < result.size(); ++i)
+      for(const auto& corner : triangle({piece.part, piece.faces[i]}))
+        result[i].add(corner);
+    return result;
+  }
+
+  void compare(const Piece& a, std::size_t i, const Piece& b, std::size_t k, std::vector<Pair>& result) const
+  {
+    const Place first{a.part, a.faces[i]}, second{b.part, b.faces[k]};
+    if(Intersecting_triangles()(triangle(first), triangle(second)))
+      result.push_back({(std::min)(first, second), (std::max)(first, second)});
   }
 };
 
