@@ -20,7 +20,8 @@ bool is_whole(const Mesh_cad_options& options, const Mesh_cad_result& result)
 {
   const bool is_part_wanted = !options.faces.empty() || !options.part_lists.empty();
   return result.left_out.empty() && result.file_faults.empty() && result.number_of_lost_faces == 0
-         && (is_part_wanted || result.quality.is_closed || !result.shape.is_shape_closed) && !mesh_cad::intersects_itself(result);
+         && (is_part_wanted || result.quality.is_closed || !result.shape.is_shape_closed) && !mesh_cad::intersects_itself(result)
+         && !mesh_cad::misses_distance(result);
 }
 
 // returns the exit status

@@ -103,9 +103,10 @@ const char* const conclusion =
   "  seconds                        processor time: reading, model, meshing, measuring\n"
   "\n"
   "Exit status: 0 if all faces are meshed, or closed up; 1 if some are left out, and the files\n"
-  "are written without them, if the mesh is not closed although the shape is, or if the mesh of a\n"
-  "solid intersects itself where the shape does not; 2 after an error, which is one line on the\n"
-  "standard error output, and no file is written.\n";
+  "are written without them, if the mesh is not closed although the shape is, if the mesh of a\n"
+  "solid intersects itself where the shape does not, or if the mesh is farther from the shape than\n"
+  "--distance allows; 2 after an error, which is one line on the standard error output, and no file\n"
+  "is written.\n";
 
 inline po::options_description described_options(Mesh_cad_options& o)
 {

@@ -309,7 +309,10 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
     out << "  " << mesh_patch::plural(m.tiny_edges.size(), "tiny edge") << ", "
         << mesh_patch::plural(m.sliver_faces.size(), "sliver face") << "\n";
   out << "  distance from the shape: at most " << m.distance << " (" << m.distance / result.shape.diagonal
-      << " of its diagonal)\n";
+      << " of its diagonal)";
+  if(misses_distance(result))
+    out << ", MORE THAN THE BOUND OF " << *result.criteria.distance();
+  out << "\n";
   if(result.second_order)
     mesh_patch::print_second_order(out, *result.second_order);
   print_deciding_bound(out, result.deciding_bounds);
