@@ -162,7 +162,7 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"order", result.second_order ? 2 : 1},
           {"seconds", {{"reading", result.reading_seconds}, {"model", result.model_seconds},
                        {"meshing", result.meshing_seconds}, {"second_order", result.second_order_seconds},
-                       {"measuring", result.measuring_seconds}}},
+                       {"measuring", result.measuring_seconds}, {"intersections", result.intersections_seconds}}},
           {"meshing_phases", {{"division", s.division}, {"triangulation", s.triangulation}, {"refinement", s.refinement},
                               {"improvement", s.improvement}, {"intersections", s.intersections}, {"output", s.output}}}};
 }
@@ -318,7 +318,7 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
   print_deciding_bound(out, result.deciding_bounds);
   mesh_patch::print_unmet(out, result.report);
   out << "  " << result.meshing_seconds << " s for meshing (reading " << result.reading_seconds << ", model "
-      << result.model_seconds << ", measuring " << result.measuring_seconds << ")\n";
+      << result.model_seconds << ", measuring " << result.measuring_seconds << ", looking for intersections " << result.intersections_seconds << ")\n";
 }
 
 // What --list asks for.

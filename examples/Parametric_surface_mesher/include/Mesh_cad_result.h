@@ -69,7 +69,7 @@ struct Mesh_cad_result
   std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
   std::vector<Contact_of_parts> contacts; // with --conformal
   std::size_t number_of_sewn_edges = 0, number_of_lost_faces = 0; // joined and lost by sewing
-  double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, second_order_seconds = 0, measuring_seconds = 0;
+  double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, second_order_seconds = 0, measuring_seconds = 0, intersections_seconds = 0;
 };
 
 namespace mesh_cad {
@@ -372,6 +372,8 @@ inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& res
   result.criteria = make_criteria(options, result.shape.diagonal);
   check_sizes(options, result.criteria, unit);
   result.meshing_seconds = seconds_of([&] { make_mesh(options, result); });
+  result.intersections_seconds = (std::min)(result.report.seconds.intersections, result.meshing_seconds);
+  result.meshing_seconds -= result.intersections_seconds; // to look at the finished mesh is measuring
   if(options.order == 2)
     result.second_order_seconds = seconds_of([&] { make_second_order(result); });
   result.measuring_seconds = seconds_of([&] {

@@ -61,7 +61,8 @@ public:
       fill_faces(m_from.parts[i]);
     });
     connect_borders();
-    put_places_of_borders();
+    if(Maps::has_edge_places)
+      put_places_of_borders();
   }
 
 private:
@@ -96,7 +97,7 @@ private:
         set_next(h, m_elements.new_halfedge(part.halfedges[f][(k + 1) % 3]), m_mesh);
         if(v >= part.first_point && v < last_point)
           set_halfedge(m_elements.new_vertex(v), h, m_mesh);
-        if(part.halfedges[f][k] % 2 == 0)
+        if(Maps::has_edge_places && part.halfedges[f][k] % 2 == 0)
           put(m_maps.edge_place_map, edge(h, m_mesh), Edge_place());
         if(m_from.keeps_corner_points)
           put(m_maps.halfedge_uv_map, h, part.corner_points[f][(k + 1) % 3]);

@@ -29,6 +29,14 @@ struct Ignoring_property_map
   friend void put(const Ignoring_property_map&, const Key&, const Value&) {}
 };
 
+template <class Map>
+struct Is_ignoring_map : std::false_type
+{};
+
+template <class Key, class Value>
+struct Is_ignoring_map<Ignoring_property_map<Key, Value>> : std::true_type
+{};
+
 // Whether several threads may put values of different keys into a map at the same time. They must not for `bool`, whose maps may
 // be arrays of bits.
 template <class TriangleMesh, class Map>
@@ -62,6 +70,8 @@ struct Output_maps
   FacePatchIdMap face_patch_id_map;
   VertexPlaceMap vertex_place_map;
   EdgePlaceMap edge_place_map;
+
+  static constexpr bool has_edge_places = !Is_ignoring_map<EdgePlaceMap>::value;
 
   template <class TriangleMesh>
   static constexpr bool are_concurrent()

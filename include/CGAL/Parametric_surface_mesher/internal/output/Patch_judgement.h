@@ -37,7 +37,8 @@ public:
   void operator()(Face_handle face) const
   {
     judge(face);
-    judge_wanted_angle(face);
+    if(m_squared_sine > 0)
+      judge_wanted_angle(face);
   }
 
   // The same on a patch that was not finished: who has stopped it does not want to wait for evaluations of the surface, so
