@@ -104,9 +104,9 @@ const char* const conclusion =
   "\n"
   "Exit status: 0 if all faces are meshed, or closed up; 1 if some are left out, and the files\n"
   "are written without them, if the mesh is not closed although the shape is, if the mesh of a\n"
-  "solid intersects itself where the shape does not, or if the mesh is farther from the shape than\n"
-  "--distance allows; 2 after an error, which is one line on the standard error output, and no file\n"
-  "is written.\n";
+  "solid intersects itself where the shape does not, or if the mesh is more than 1.5 times as far\n"
+  "from the shape as --distance allows; 2 after an error, which is one line on the standard error\n"
+  "output, and no file is written.\n";
 
 inline po::options_description described_options(Mesh_cad_options& o)
 {

@@ -310,7 +310,8 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
         << mesh_patch::plural(m.sliver_faces.size(), "sliver face") << "\n";
   out << "  distance from the shape: at most " << m.distance << " (" << m.distance / result.shape.diagonal
       << " of its diagonal)";
-  if(misses_distance(result))
+  const double rounding = 1e-6;
+  if(share_of_allowed_distance(result) > 1 + rounding)
     out << ", MORE THAN THE BOUND OF " << *result.criteria.distance();
   out << "\n";
   if(result.second_order)

@@ -340,12 +340,11 @@ inline double unit_in_millimetres(const Mesh_cad_options& options)
   return has_unit(options) ? result : 1;
 }
 
-// Whether the mesh was measured to be farther from the shape than it may be. What edges of the file are off their faces is allowed for.
-inline bool misses_distance(const Mesh_cad_result& result)
+// How far the mesh was measured to be from the shape, as a multiple of what it may be. What edges of the file are off their faces is allowed for.
+inline double share_of_allowed_distance(const Mesh_cad_result& result)
 {
-  const double rounding = 1e-6;
   const double allowed = result.criteria.distance().value_or(std::numeric_limits<double>::infinity()) + result.shape.largest_gap;
-  return result.measures.distance > (1 + rounding) * allowed;
+  return result.measures.distance / allowed;
 }
 
 inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& result)
