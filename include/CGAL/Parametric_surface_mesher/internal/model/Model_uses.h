@@ -94,7 +94,7 @@ public:
   {
     std::vector<Use> result;
     std::copy_if(m_uses[edge].begin(), m_uses[edge].end(), std::back_inserter(result),
-                 [=](const Use& use) { return m_model.faces()[use.face].shell == shell; });
+                 [this, shell](const Use& use) { return m_model.faces()[use.face].shell == shell; });
     return result;
   }
 
