@@ -60,7 +60,8 @@ struct Parametric_surface_mesh_report
     std::array<std::size_t, 2> faces; ///< their indices in the model, in ascending order
     std::size_t number_of_pairs;      ///< of triangles
     std::array<double, 3> place;      ///< a point of one of them
-    bool is_of_surfaces;              ///< whether the surfaces themselves cross or touch there, so that no mesh of them could do otherwise
+    /// whether at all of these pairs the surfaces themselves cross or touch, so that no mesh of them could do otherwise
+    bool is_of_surfaces;
   };
 
   /// time in seconds that was spent on each phase, by all threads together; if others use the processor, it counts, too.

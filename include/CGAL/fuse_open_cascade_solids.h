@@ -70,10 +70,10 @@ The given shape is not changed. Numbers of faces and edges may change.
 
 \param shape a shape with solids
 \param fuzzy the distance up to which faces, edges and vertices that do not quite touch, or overlap by no more, are taken to touch; 0 for
-the tolerances of the shape
+the tolerances of the shape. More than a hundredth of the diagonal of the shape's bounding box is refused: parts would lose faces of their own.
 \param reach the largest distance between solids that is listed as a gap
 
-\throws Parametric_surface_mesh_error if `fuzzy` or `reach` is negative or not finite, or if Open CASCADE fails
+\throws Parametric_surface_mesh_error if `fuzzy` or `reach` is negative or not finite, if `fuzzy` is too large, or if Open CASCADE fails
 
 \sa `CGAL::carry_over_open_cascade_names()`
 */

@@ -281,7 +281,8 @@ TEST(Fusing, leaves_a_single_solid_as_it_is)
   const auto fused = CGAL::fuse_open_cascade_solids(box);
   EXPECT_TRUE(fused.shape.IsSame(box));
   EXPECT_TRUE(fused.history.IsNull());
-  EXPECT_THROW(CGAL::fuse_open_cascade_solids(box, -1), CGAL::Parametric_surface_mesh_error);
+  for(double fuzzy : {-1., 1e9, 0.2}) // the diagonal is 17.3
+    EXPECT_THROW(CGAL::fuse_open_cascade_solids(box, fuzzy), CGAL::Parametric_surface_mesh_error) << fuzzy;
 }
 
 // The complex of two boxes and a pin in them: contacts are there once, and have a part on either side.

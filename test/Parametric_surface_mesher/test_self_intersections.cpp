@@ -7,6 +7,7 @@
 #include <CGAL/Rectangular_patch_3.h>
 #include <CGAL/make_model_of_rectangular_patches.h>
 #include <CGAL/make_parametric_surface_mesh.h>
+#include <CGAL/make_parametric_surface_triangle_soup.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Box_hierarchy.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Intersecting_triangles.h>
 
@@ -126,6 +127,31 @@ TEST(Self_intersections, of_surfaces_are_not_refined)
     EXPECT_TRUE(r.intersections[0].is_of_surfaces);
   }
   EXPECT_EQ(reported.number_of_faces(), refined.number_of_faces());
+}
+
+// A square that is the boundary of two solids, and one of the second solid that crosses it. A soup has the triangles of the first one once.
+TEST(Self_intersections, of_the_second_solid_at_a_face_are_found_in_a_soup)
+{
+  auto model = squares(Point_3(0.3, 0.2, -0.4), Vector_3(0.1, 1, 0), Vector_3(0, 0.2, 1));
+  auto back = model.faces()[0];
+  back.other_side_of = 0;
+  back.is_reversed = !back.is_reversed;
+  back.shell = 7;
+  back.solid = model.faces()[1].solid = 1;
+  model.faces()[0].solid = 0;
+  model.add_face(back);
+  const Criteria criteria = Criteria().set_max_edge(0.2).set_self_intersections(Self_intersections::REPORTED);
+  std::vector<Point_3> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::size_t> patches;
+  const Report of_soup = CGAL::make_parametric_surface_triangle_soup(model, criteria, points, triangles, patches);
+  ASSERT_EQ(1u, of_soup.intersections.size());
+  EXPECT_EQ((std::array<std::size_t, 2>{0, 1}), of_soup.intersections[0].faces);
+  Mesh m;
+  const Report of_mesh = mesh(model, criteria, m);
+  ASSERT_EQ(1u, of_mesh.intersections.size());
+  EXPECT_EQ((std::array<std::size_t, 2>{1, 2}), of_mesh.intersections[0].faces);
+  EXPECT_EQ(of_soup.intersections[0].number_of_pairs, of_mesh.intersections[0].number_of_pairs);
 }
 
 TEST(Self_intersections, of_faces_on_each_other_are_found)

@@ -221,6 +221,8 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--growth: the growth must be at least 0 and below 10");
   if(given.count("sew") != 0 && !(o.sewing_tolerance >= 0 && std::isfinite(o.sewing_tolerance)))
     throw Usage_error("--sew: the distance must be a finite number, at least 0");
+  if(o.is_list_wanted && (given.count("out") != 0 || given.count("picture") != 0))
+    throw Usage_error("--list meshes nothing, and cannot be given with --out or --picture");
   if(!(o.fuzzy >= 0 && std::isfinite(o.fuzzy)))
     throw Usage_error("--fuzzy: the distance must be a finite number, at least 0");
   if(given.count("fuzzy") != 0 && !o.is_conformal)

@@ -218,25 +218,29 @@ public:
   Silence& operator=(const Silence&) = delete;
 };
 
+// Of the box of a shape; 0 if that is empty or has no end.
+inline double diagonal_of(const TopoDS_Shape& shape)
+{
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, false);
+  return box.IsVoid() || box.IsOpen() ? 0 : std::sqrt(box.SquareExtent());
+}
+
 // The tolerance of sewing, or 0 if the shape is not sewn. By default only IGES files are sewn, whose faces have no common edges.
 inline double sewing_tolerance(const Mesh_cad_options& options, const TopoDS_Shape& shape)
 {
+  const double share_of_diagonal = 1e-5;
   if(options.sewing_tolerance >= 0)
     return options.sewing_tolerance;
   const std::string ending = CGAL::Parametric_surface_mesher::internal::ending_of(options.input);
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, false);
-  return (ending == "iges" || ending == "igs") && !box.IsVoid() && !box.IsOpen() ? 1e-5 * std::sqrt(box.SquareExtent()) : 0;
+  return ending == "iges" || ending == "igs" ? share_of_diagonal * diagonal_of(shape) : 0;
 }
 
 // Parts that are apart by no more than this are listed.
 inline double reach_of_gaps(const Mesh_cad_options& options, const TopoDS_Shape& shape)
 {
   const double share_of_diagonal = 1e-3, multiple_of_fuzzy = 10;
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, false);
-  const double diagonal = box.IsVoid() || box.IsOpen() ? 0 : std::sqrt(box.SquareExtent());
-  return (std::max)(share_of_diagonal * diagonal, multiple_of_fuzzy * options.fuzzy);
+  return (std::max)(share_of_diagonal * diagonal_of(shape), multiple_of_fuzzy * options.fuzzy);
 }
 
 inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result& result)

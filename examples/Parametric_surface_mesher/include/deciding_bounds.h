@@ -5,10 +5,9 @@
 #ifndef DECIDING_BOUNDS_H
 #define DECIDING_BOUNDS_H
 
-#include "measure_cad_mesh.h"
+#include "triangle_data.h"
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
-#include <CGAL/Surface_curvature_3.h>
 
 #include <nlohmann/json.hpp>
 
@@ -36,9 +35,7 @@ inline Deciding_bounds deciding_bounds(const Cad_mesh& mesh, const CGAL::Open_ca
   Deciding_bounds numbers;
   for(const auto f : mesh.mesh.faces()) {
     const Triangle_corners c = corners(mesh, f);
-    const auto uv = at(c, {1. / 3, 1. / 3, 1. / 3});
-    const auto& face = shape.model.faces()[mesh.patch[f]];
-    const double curvature = CGAL::Surface_curvature_3<Kernel>(face.surface.jet(uv.x(), uv.y())).max_absolute_curvature(),
+    const double curvature = mesh_cad::curvature(c, shape.model.faces()[mesh.patch[f]].surface),
                  length = std::sqrt(std::sqrt(CGAL::squared_area(c.points[0], c.points[1], c.points[2])) * 4 / std::sqrt(3.));
     const double by_gamma = factor_of_chord * criteria.gamma() / curvature,
                  by_distance = criteria.distance() ? std::sqrt(factor_of_chord * *criteria.distance() / curvature) : by_gamma,

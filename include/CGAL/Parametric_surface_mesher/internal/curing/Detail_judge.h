@@ -143,7 +143,7 @@ private:
     Vector_3 normal;
   };
 
-  // with the normals that point out of the shells
+  // Appends a triangle once for each of its shells, with the normal that points out of that.
   void append_sheets(const Triangle& triangle, std::vector<Sheet>& sheets) const
   {
     const Vector_3 normal = surface_normal(triangle);

@@ -222,7 +222,7 @@ private:
     return result;
   }
 
-  // of the corners of all triangles of a patch in its domain
+  // The box, in the domain of a patch, of the corners of all its triangles.
   const Bbox_2& box(const Mesh& mesh, std::size_t patch)
   {
     const auto found = m_boxes.emplace(patch, Bbox_2());

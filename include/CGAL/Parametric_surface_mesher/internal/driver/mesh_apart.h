@@ -26,13 +26,17 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The solid of each face of a model.
-template <class Model>
-std::vector<std::optional<std::size_t>> solids(const Model& model)
+// For each face of a model the solids that its triangles in a mesh bound: two if its other side has no triangles of its own.
+template <class Model, class Mesh>
+std::vector<std::vector<std::size_t>> solids(const Model& model, const Mesh& mesh)
 {
-  std::vector<std::optional<std::size_t>> result;
-  for(const auto& face : model.faces())
-    result.push_back(face.solid);
+  std::vector<std::vector<std::size_t>> result(model.faces().size());
+  for(std::size_t f = 0; f < result.size(); ++f) {
+    const auto& face = model.faces()[f];
+    const bool has_own_triangles = mesh.has_other_sides || face.other_side_of == Model::no_face;
+    if(face.solid)
+      result[has_own_triangles ? f : face.other_side_of].push_back(*face.solid);
+  }
   return result;
 }
 
@@ -46,7 +50,7 @@ bool is_to_be_refined(const Model& model, const Parametric_surface_mesh_criteria
     return false;
   Phase_timer timer(report.seconds.intersections);
   const Intersection_search<typename Model::Geom_traits> search(mesh);
-  const auto pairs = search(solids(model));
+  const auto pairs = search(solids(model, mesh));
   if(!refinement)
     refinement.emplace(model, criteria, report.min_edge, report.max_edge);
   if(criteria.self_intersections() == Self_intersections::REFINED && refinement->change_sizes(mesh, pairs))

@@ -155,7 +155,7 @@ public:
   const std::vector<std::size_t>& meeting_points() const { return m_meeting_points; }
 
 private:
-  // of the faces that are not left out, in their order, without those that are the other sides of others
+  // One for each face, in their order, apart from those that are left out and those that are the other sides of others.
   std::vector<Face_job> make_jobs(const Division& division) const
   {
     std::vector<Face_job> result;

@@ -195,7 +195,7 @@ public:
       triangles(elements_of(mesh.triangle_surfaces, mesh.surfaces.size()))
   {}
 
-  // the nodes of a set, ascending
+  // The nodes of a set, in ascending order.
   std::vector<std::size_t> nodes(const Element_set& set) const
   {
     std::set<std::size_t> result;

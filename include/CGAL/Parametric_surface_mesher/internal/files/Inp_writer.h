@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -42,8 +43,8 @@ inline std::string inp_number(double x)
   char text[32];
   std::snprintf(text, sizeof(text), "%.17g", x);
   if(std::strlen(text) > max_length)
-    std::snprintf(text, sizeof(text), "%.13e", x);
-  return std::strlen(text) > max_length ? "0" : text; // the exponent has three digits
+    std::snprintf(text, sizeof(text), "%.12e", x); // with a sign and an exponent of three digits, too
+  return text;
 }
 
 // Writes input files of Abaqus and CalculiX: nodes, shell elements, and sets of both.
@@ -70,8 +71,11 @@ public:
     Unique_names names(inp_name);
     names("EALL");
     names("NALL");
+    std::map<std::size_t, std::size_t> numbers_of_parts; // by the numbers of faces
+    for(const auto& surface : m_mesh.surfaces)
+      ++numbers_of_parts[surface.number];
     for(std::size_t s = 0; s < m_mesh.surfaces.size(); ++s)
-      blocks.push_back(names(block_name(s)));
+      blocks.push_back(names(block_name(s, numbers_of_parts[m_mesh.surfaces[s].number] > 1)));
     for(std::size_t s = 0; s < m_mesh.surfaces.size(); ++s)
       write_elements(s, blocks[s]);
     write_list("*ELSET, ELSET=EALL", blocks);
@@ -81,13 +85,10 @@ public:
 
 private:
   // That of the face, unless it is in several parts.
-  std::string block_name(std::size_t surface) const
+  std::string block_name(std::size_t surface, bool is_in_several_parts) const
   {
-    const std::size_t number = m_mesh.surfaces[surface].number;
-    std::size_t same = 0;
-    for(const auto& other : m_mesh.surfaces)
-      same += other.number == number;
-    return "FACE_" + std::to_string(number) + (same > 1 ? "_SHEET_" + std::to_string(m_numbers[surface]) : "");
+    return "FACE_" + std::to_string(m_mesh.surfaces[surface].number)
+           + (is_in_several_parts ? "_SHEET_" + std::to_string(m_numbers[surface]) : "");
   }
 
   void write_elements(std::size_t surface, const std::string& name)

@@ -44,12 +44,12 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Makes a document of Open CASCADE's XDE of an element mesh, for its writers: a part is a compound of faces that have triangles and no surface, one
-// for each colour.
+// Makes a document of Open CASCADE's XDE of an element mesh, for its writers: a part is a compound of
+// faces, one for each colour, that have triangles and no surface.
 class Document_of_elements
 {
   typedef std::array<float, 4> Rgba;
-  // a node on one surface: its normal differs from that on a surface beside it
+  // A node on one surface: its normal differs from that on a surface beside it.
   typedef std::pair<std::size_t, std::size_t> Corner;
 
   // What has one colour in one part.

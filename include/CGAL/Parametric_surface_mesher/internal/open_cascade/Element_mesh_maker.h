@@ -68,7 +68,7 @@ class Element_mesh_maker
   typename boost::property_map<TriangleMesh, dynamic_face_property_t<std::size_t>>::const_type m_surfaces;
   typename boost::property_map<TriangleMesh, dynamic_edge_property_t<std::size_t>>::const_type m_mid_side_nodes; // `none` until it is used
   std::vector<bool> m_has_other_side; // by face of the model
-  // what copies of a point have in common: dimension and index of the place in the model, and the point itself
+  // Nodes by what copies of a point have in common: dimension and index of the place in the model, and the point itself.
   std::map<std::tuple<int, std::size_t, Element_mesh_3::Point>, std::size_t> m_shared_nodes;
   std::map<std::array<std::size_t, 3>, std::size_t> m_shared_mid_side_nodes; // by both ends and the edge of the model
   std::map<std::array<std::size_t, 2>, std::size_t> m_lines;                 // by both ends: the curve

@@ -41,7 +41,7 @@ struct Shape_index
     TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
   }
 
-  // of a kind in a part of the shape, ascending
+  // The indices of all shapes of a kind in a part of the shape, in ascending order.
   static std::vector<std::size_t> members(const TopTools_IndexedMapOfShape& index, const TopoDS_Shape& part, TopAbs_ShapeEnum kind)
   {
     std::set<std::size_t> result;

@@ -35,8 +35,10 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -189,7 +191,7 @@ inline Process_limits limits_of_reading(const std::string& file_name)
 // What one process reads and hands over to another: the shape in Open CASCADE's binary format, and then what else there is.
 class Handed_over_shape
 {
-  Temporary_file m_shape, m_rest;
+  Temporary_file m_shape, m_rest, m_rest_with_names; // the last one is written when the names are known, or never
 
 public:
   void write_shape(const TopoDS_Shape& shape) const
@@ -199,27 +201,41 @@ public:
     check(file, m_shape);
   }
 
-  void write_rest(Shape_of_file& read) const
-  {
-    std::ofstream file(m_rest.name(), std::ios::binary);
-    Text_writer write(file);
-    write(read.faults, read.names);
-    check(file, m_rest);
-  }
+  void write_rest(Shape_of_file& read) const { write(read, m_rest); }
+  void write_rest_with_names(Shape_of_file& read) const { write(read, m_rest_with_names); }
 
-  bool is_whole() const { return std::ifstream(m_rest.name(), std::ios::binary).peek() != std::ifstream::traits_type::eof(); }
-
-  Shape_of_file read() const
+  // None if the shape or the rest is not whole. What was written first counts if what came later is not whole.
+  std::optional<Shape_of_file> read() const
   {
-    Shape_of_file result;
-    std::ifstream shape(m_shape.name(), std::ios::binary), rest(m_rest.name(), std::ios::binary);
-    guarded([&] { BinTools::Read(result.shape, shape); });
-    Text_reader text(rest);
-    text(result.faults, result.names);
+    std::optional<Shape_of_file> result = rest_in(m_rest_with_names);
+    if(!result)
+      result = rest_in(m_rest);
+    if(!result)
+      return std::nullopt;
+    std::ifstream shape(m_shape.name(), std::ios::binary);
+    guarded([&] { BinTools::Read(result->shape, shape); });
     return result;
   }
 
 private:
+  static void write(Shape_of_file& read, const Temporary_file& name)
+  {
+    std::ofstream file(name.name(), std::ios::binary);
+    Text_writer write(file);
+    write(read.faults, read.names);
+    check(file, name);
+  }
+
+  // All that is written ends with the end of a line.
+  static std::optional<Shape_of_file> rest_in(const Temporary_file& name)
+  {
+    std::ifstream file(name.name(), std::ios::binary);
+    Shape_of_file result;
+    Text_reader read(file);
+    read(result.faults, result.names);
+    return file && file.get() == '\n' ? std::optional<Shape_of_file>(std::move(result)) : std::nullopt;
+  }
+
   static void check(std::ofstream& file, const Temporary_file& name)
   {
     if(!file.flush())
@@ -250,18 +266,18 @@ inline Shape_of_file read_shape_file_safely(const std::string& file_name, const 
       handed_over.write_shape(without_names.shape);
       handed_over.write_rest(without_names);
     });
-    handed_over.write_rest(read);
+    handed_over.write_rest_with_names(read);
     return "";
   });
   const Process_end end = reading();
   if(end.kind == Process_end::FAILED)
     throw Parametric_surface_mesh_error(end.text);
-  if(end.kind != Process_end::DONE && !handed_over.is_whole())
+  std::optional<Shape_of_file> result = handed_over.read();
+  if(!result)
     throw Parametric_surface_mesh_error("cannot read " + file_name + ": " + reason_of(end, limits));
-  Shape_of_file result = handed_over.read();
   if(end.kind != Process_end::DONE)
-    result.names.faults.push_back("names, colours and layers could not be read: " + reason_of(end, limits));
-  return result;
+    result->names.faults.push_back("names, colours and layers could not be read: " + reason_of(end, limits));
+  return std::move(*result);
 }
 
 #else

@@ -51,18 +51,19 @@ public:
   // \pre the parts of the mesh have their places in it
   explicit Intersection_search(const Mesh& mesh) : m_mesh(mesh) {}
 
-  // All pairs of triangles of one solid that pass through each other or lie on each other, in ascending order. `solids`: by patch;
-  // triangles of patches without one are not looked at
-  std::vector<Pair> operator()(const std::vector<std::optional<std::size_t>>& solids) const
+  // All pairs of triangles of one solid that pass through each other or lie on each other, in ascending order. `solids`: by patch, those
+  // that its triangles bound; triangles of patches without one are not looked at
+  std::vector<Pair> operator()(const std::vector<std::vector<std::size_t>>& solids) const
   {
     std::map<std::size_t, std::vector<std::size_t>> parts; // by solid
     for(std::size_t p = 0; p < m_mesh.parts.size(); ++p)
-      if(solids[m_mesh.parts[p].patch])
-        parts[*solids[m_mesh.parts[p].patch]].push_back(p);
+      for(std::size_t solid : solids[m_mesh.parts[p].patch])
+        parts[solid].push_back(p);
     std::vector<Pair> result;
     for(const auto& solid : parts)
       append_pairs(solid.second, result);
     std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end(), are_same), result.end()); // two solids may have both triangles
     return result;
   }
 
@@ -74,6 +75,8 @@ public:
   }
 
 private:
+  static bool are_same(const Pair& a, const Pair& b) { return !(a < b) && !(b < a); }
+
   Intersecting_triangles::Point_3 point(const typename Mesh::Part& part, std::size_t v) const
   {
     const auto& p = v < m_mesh.points.size() ? m_mesh.points[v] : part.points[v - part.first_point];
@@ -129,7 +132,8 @@ private:
   }
 };
 
-// The pairs of triangles by the patches that they lie on. `is_of_surfaces`: tells of a pair whether the surfaces themselves meet there
+// The pairs of triangles by the patches that they lie on. `is_of_surfaces`: tells of a pair whether the surfaces themselves meet there. One that
+// is not has the place.
 template <class Kernel, class Predicate>
 std::vector<Parametric_surface_mesh_report::Intersection>
 report_of_intersections(const Intersection_search<Kernel>& search, const Indexed_mesh<Kernel>& mesh,
@@ -140,9 +144,12 @@ report_of_intersections(const Intersection_search<Kernel>& search, const Indexed
     const std::pair<std::size_t, std::size_t> patches = std::minmax(mesh.parts[pair[0].part].patch, mesh.parts[pair[1].part].patch);
     const auto corner = search.triangle(pair[0])[0];
     auto& intersection = intersections.emplace(patches, Parametric_surface_mesh_report::Intersection{
-      {patches.first, patches.second}, 0, {corner.x(), corner.y(), corner.z()}, false}).first->second;
+      {patches.first, patches.second}, 0, {corner.x(), corner.y(), corner.z()}, true}).first->second;
     ++intersection.number_of_pairs;
-    intersection.is_of_surfaces = intersection.is_of_surfaces || is_of_surfaces(pair);
+    if(intersection.is_of_surfaces && !is_of_surfaces(pair)) {
+      intersection.is_of_surfaces = false;
+      intersection.place = {corner.x(), corner.y(), corner.z()};
+    }
   }
   std::vector<Parametric_surface_mesh_report::Intersection> result;
   for(const auto& intersection : intersections)

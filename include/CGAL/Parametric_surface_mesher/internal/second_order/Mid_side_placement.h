@@ -16,11 +16,11 @@
 #include <CGAL/Parametric_surface_model_3.h>
 
 #include <boost/math/tools/roots.hpp>
-#include <boost/optional.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -52,7 +52,7 @@ public:
   typedef Parametric_surface_model_3<Surface> Model;
   typedef typename Kernel::Point_2 Point_2;
   typedef typename Kernel::Point_3 Point_3;
-  typedef boost::optional<Point_3> Place; // none where nothing was found
+  typedef std::optional<Point_3> Place; // none where nothing was found
 
 private:
   // Of the length of an edge: if the middle of its line in the domain is not farther than that from the middle of the chord, the point
@@ -66,7 +66,7 @@ private:
   };
 
   const Model& m_model;
-  std::vector<boost::optional<Use>> m_first_uses; // by edge
+  std::vector<std::optional<Use>> m_first_uses; // by edge
 
 public:
   // Refers to the model.
@@ -83,7 +83,7 @@ public:
   Place on_piece(std::size_t edge, const std::array<double, 2>& parameters, const Chord<Kernel>& chord) const
   {
     if(!std::isfinite(parameters[0]) || !std::isfinite(parameters[1]))
-      return boost::none;
+      return std::nullopt;
     return guarded_place(chord, [&] {
       return with_curve(edge, [&](const auto& curve) { return Place(middle_of_piece(curve, parameters[0], parameters[1])); });
     });
@@ -103,14 +103,14 @@ public:
   {
     const double length = chord.length();
     if(!(length > 0))
-      return boost::none;
+      return std::nullopt;
     const Surface& surface = m_model.faces()[face].surface;
     const Directions_in_section<Kernel> directions{(chord.target - chord.source) / length};
     Place result;
     find_near(surface, chord.middle(), places_between(from, to), share_for_first_place * length, [&](const Point_2& start) {
       result = guarded_place(chord, [&]() -> Place {
         const auto uv = find_on_surface(surface, start, chord.middle(), length, directions);
-        return uv ? Place(surface.point(uv->x(), uv->y())) : boost::none;
+        return uv ? Place(surface.point(uv->x(), uv->y())) : std::nullopt;
       });
       return bool(result);
     });
@@ -126,7 +126,7 @@ private:
       const auto point = [&](double t) { return surface.point(from.x() + t * (to.x() - from.x()), from.y() + t * (to.y() - from.y())); };
       const auto lead = [&](double t) { return squared_distance(point(t), chord.source) - squared_distance(point(t), chord.target); };
       if(!(lead(0) < 0 && lead(1) > 0))
-        return boost::none;
+        return std::nullopt;
       const auto t = boost::math::tools::bisect(lead, 0., 1., boost::math::tools::eps_tolerance<double>());
       return point(0.5 * (t.first + t.second));
     });
@@ -138,10 +138,10 @@ private:
   {
     try {
       const Place place = find();
-      return place && chord.may_have_middle(*place) ? place : boost::none;
+      return place && chord.may_have_middle(*place) ? place : std::nullopt;
     }
     catch(const Parametric_surface_mesh_error&) {
-      return boost::none;
+      return std::nullopt;
     }
   }
 
@@ -152,7 +152,7 @@ private:
     if(m_model.edges()[edge].curve)
       return function(*m_model.edges()[edge].curve);
     if(!m_first_uses[edge])
-      return boost::none;
+      return std::nullopt;
     const Use& use = *m_first_uses[edge];
     return function(Curve_on_surface_3<Surface>(m_model.faces()[use.face].surface, use.use->curve));
   }

@@ -11,12 +11,11 @@
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Surface_jet_3.h>
 
-#include <boost/optional.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,7 +34,7 @@ struct Two_directions
 // parameters `start`; `scale` is a length of about the distance of the start from it.
 // \return its parameters; none if there is no such point nearby
 template <class Surface, class Directions>
-boost::optional<typename Surface::Geom_traits::Point_2>
+std::optional<typename Surface::Geom_traits::Point_2>
 find_on_surface(const Surface& surface, const typename Surface::Geom_traits::Point_2& start,
                 const typename Surface::Geom_traits::Point_3& target, double scale, const Directions& directions)
 {
@@ -52,14 +51,14 @@ find_on_surface(const Surface& surface, const typename Surface::Geom_traits::Poi
     double du = (e * b2 - b * e2) / determinant, dv = (a * e2 - e * a2) / determinant;
     const double length = std::sqrt((du * jet.du + dv * jet.dv).squared_length());
     if(!std::isfinite(length))
-      return boost::none;
+      return std::nullopt;
     const double share = length > scale ? scale / length : 1;
     u += share * du;
     v += share * dv;
     if(length <= exactness * scale)
       return typename Kernel::Point_2(u, v);
   }
-  return boost::none;
+  return std::nullopt;
 }
 
 // For the closest point: that from which `target` is seen along the normal.

@@ -24,7 +24,8 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // Wanted edge lengths at places in space, which grow with the distance from these: the smallest that any place asks for. A tree of
-// boxes leaves out the places that are too far away to matter.
+// boxes leaves out the places that are too far away to matter. (CGAL's search trees find the closest place, which need not ask for the
+// smallest length.)
 template <class Point_3>
 class Size_sources_3
 {
