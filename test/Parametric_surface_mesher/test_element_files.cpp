@@ -283,7 +283,22 @@ TEST_F(Element_files, numbers_of_at_most_20_characters)
   mesh.nodes[0] = {{-4.4408920985006262e-16, -1.2345678901234567e-110, -0.125}};
   std::ostringstream out;
   EXPECT_TRUE(CGAL::IO::write_INP(out, mesh));
-  EXPECT_NE(out.str().find("\n1, -4.4408920985006e-16, 0, -0.125\n"), std::string::npos) << out.str().substr(0, 200);
+  EXPECT_NE(out.str().find("\n1, -4.4408920985006e-16, -1.234567890123e-110, -0.125\n"), std::string::npos) << out.str().substr(0, 200);
+  mesh.nodes[0] = {{-1.2345678901234567e110, 1e200, 0}}; // large numbers stay large
+  out.str("");
+  EXPECT_TRUE(CGAL::IO::write_INP(out, mesh));
+  EXPECT_NE(out.str().find("\n1, -1.234567890123e+110, "), std::string::npos) << out.str().substr(0, 200);
+}
+
+// Nastran's fields have 16.
+TEST_F(Element_files, numbers_of_at_most_16_characters)
+{
+  Element_mesh mesh = Cubes(1, false).mesh;
+  mesh.nodes[0] = {{-1.2345678901234567e110, 0.5, -0.125}};
+  std::ostringstream out;
+  EXPECT_TRUE(CGAL::IO::write_BDF(out, mesh));
+  EXPECT_NE(out.str().find("                -1.23456789E+110 5.000000000E-01*\n*       -1.250000000E-01\n"), std::string::npos)
+    << out.str().substr(0, 1200);
 }
 
 TEST_F(Element_files, arrays_that_do_not_fit_are_refused)

@@ -82,6 +82,8 @@ TEST_F(Mesh_cad_groups, meshes_some_parts)
   EXPECT_EQ(faces("solid_3,fastener"), 9);
   EXPECT_EQ(faces("'pin, the only one'"), 3);
   EXPECT_EQ(faces("2 --parts 4"), 18);
+  for(const char* list : {"''", "column,", ",column"})
+    EXPECT_EQ(run(std::string("bridge.step --parts ") + list).status, 2) << list; // an empty name is none
   const Result unknown = run("bridge.step --parts column,nail");
   EXPECT_EQ(unknown.status, 2);
   EXPECT_TRUE(has(unknown.err, "there is no part 'nail'; the parts are 1 bridge, 2 bridge/left plate")) << unknown.err;

@@ -302,6 +302,8 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
     out << (q.is_closed ? ", ALTHOUGH THE SHAPE IS NOT CLOSED" : ", ALTHOUGH THE SHAPE IS CLOSED");
   out << "\n";
   print_shape(out, result);
+  if(options.is_conformal && result.contacts.empty())
+    out << "  no parts touch\n";
   print_details(out, result);
   print_intersections(out, result);
   print_angles(out, result);

@@ -49,11 +49,13 @@ inline std::set<std::size_t> parts_called(const Names& names, const std::string&
 // The parts that a list of the user names. Names may contain commas: a list that is a name as a whole is taken for one.
 inline std::set<std::size_t> parts_in(const Names& names, const std::string& list)
 {
-  std::set<std::size_t> result = parts_called(names, list);
+  std::set<std::size_t> result = list.empty() ? std::set<std::size_t>() : parts_called(names, list);
   if(!result.empty())
     return result;
   std::istringstream words(list + ",");
   for(std::string word; std::getline(words, word, ',');) {
+    if(word.empty())
+      throw Usage_error("--parts: a name is missing in '" + list + "'");
     const auto parts = parts_called(names, word);
     if(parts.empty()) {
       std::string known;

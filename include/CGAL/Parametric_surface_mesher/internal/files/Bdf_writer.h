@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <cstring>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -44,6 +45,17 @@ inline std::string bdf_card(const std::string& keyword, const std::vector<std::s
   return result + "\n";
 }
 
+// A number in a field of 16 characters.
+inline std::string bdf_number(double x)
+{
+  const std::size_t width = 16;
+  char field[32];
+  std::snprintf(field, sizeof(field), "%16.9E", x);
+  if(std::strlen(field) > width)
+    std::snprintf(field, sizeof(field), "%16.8E", x); // with a sign and an exponent of three digits
+  return field;
+}
+
 inline void write_bulk_data(std::ostream& out, const Element_mesh_3& mesh)
 {
   const std::vector<std::size_t> properties = unique_numbers(mesh.surfaces);
@@ -57,8 +69,8 @@ inline void write_bulk_data(std::ostream& out, const Element_mesh_3& mesh)
   char line[128];
   for(std::size_t i = 0; i < mesh.nodes.size(); ++i) { // fields of 16 characters
     const auto& p = mesh.nodes[i];
-    std::snprintf(line, sizeof(line), "GRID*   %16zu%16s%16.9E%16.9E*\n*       %16.9E\n", i + 1, "", p[0], p[1], p[2]);
-    out << line;
+    std::snprintf(line, sizeof(line), "GRID*   %16zu%16s", i + 1, "");
+    out << line << bdf_number(p[0]) << bdf_number(p[1]) << "*\n*       " << bdf_number(p[2]) << '\n';
   }
   for(std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     std::vector<std::size_t> numbers{i + 1, properties[mesh.triangle_surfaces[i]]};

@@ -41,9 +41,11 @@ inline std::string inp_number(double x)
 {
   const std::size_t max_length = 20;
   char text[32];
-  std::snprintf(text, sizeof(text), "%.17g", x);
-  if(std::strlen(text) > max_length)
-    std::snprintf(text, sizeof(text), "%.12e", x); // with a sign and an exponent of three digits, too
+  for(const char* format : {"%.17g", "%.13e", "%.12e"}) { // the last one leaves room for an exponent of three digits
+    std::snprintf(text, sizeof(text), format, x);
+    if(std::strlen(text) <= max_length)
+      break;
+  }
   return text;
 }
 
