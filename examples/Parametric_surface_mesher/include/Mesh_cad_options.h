@@ -5,8 +5,9 @@
 #ifndef MESH_CAD_OPTIONS_H
 #define MESH_CAD_OPTIONS_H
 
-#include "Size_spheres.h"
+#include "Mesh_callbacks.h"
 #include "Mesh_cad_fineness.h"
+#include "Size_spheres.h"
 #include "Usage_error.h"
 
 #include <boost/optional.hpp>
@@ -40,6 +41,7 @@ struct Mesh_cad_options
   double fuzzy = 0; // 0 for the tolerances of the file
   bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_list_wanted = false;
   bool are_node_parameters_wanted = false, is_binary = false;
+  Mesh_callbacks callbacks; // of programs that use mesh_cad as a library
 };
 
 namespace mesh_cad {

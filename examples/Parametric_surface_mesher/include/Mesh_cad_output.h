@@ -158,6 +158,7 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"decided_by", json_of_bounds(result.deciding_bounds)},
           {"unmet_by", mesh_patch::json_of_unmet(result.report)},
           {"unjudged", result.report.number_of_unjudged_faces},
+          {"stopped", result.report.is_stopped},
           {"work_limits", result.report.number_of_work_limits},
           {"order", result.second_order ? 2 : 1},
           {"seconds", {{"reading", result.reading_seconds}, {"model", result.model_seconds},

@@ -10,6 +10,7 @@
 #include "Mesh_cad_parts.h"
 #include "Progress_line.h"
 #include "Second_order_measures.h"
+#include "Silence.h"
 #include "deciding_bounds.h"
 #include "measure_cad_mesh.h"
 #include "triangle_data.h"
@@ -29,10 +30,8 @@
 
 #include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
-#include <Message_Printer.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS_Shape.hxx>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -42,7 +41,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iostream>
 #include <limits>
 #include <map>
 #include <set>
@@ -68,6 +66,7 @@ struct Mesh_cad_result
   std::vector<std::string> file_faults; // what the file contains and the shape lacks
   std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
   std::vector<Contact_of_parts> contacts; // with --conformal
+  TopoDS_Shape open_cascade_shape; // that was meshed, in millimetres
   std::size_t number_of_sewn_edges = 0, number_of_lost_faces = 0; // joined and lost by sewing
   double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, second_order_seconds = 0, measuring_seconds = 0, intersections_seconds = 0;
 };
@@ -160,7 +159,11 @@ inline void set_sizes(const Mesh_cad_options& options, CGAL::Open_cascade_model_
       double& max_edge = shape.model.edges()[e].max_edge;
       max_edge = max_edge > 0 ? (std::min)(max_edge, size.second) : size.second;
     }
-  if(!options.spheres.is_empty())
+  if(options.callbacks.size)
+    shape.model.set_sizing_field([spheres = options.spheres, size = options.callbacks.size](const Kernel::Point_3& p) {
+      return (std::min)(spheres(p), size(p.x(), p.y(), p.z()));
+    });
+  else if(!options.spheres.is_empty())
     shape.model.set_sizing_field(options.spheres);
 }
 
@@ -201,22 +204,6 @@ inline void check_sizes(const Mesh_cad_options& options, const CGAL::Parametric_
   for(const auto& size : options.max_edge_of_edge)
     check_size("--edge-size", size.second, criteria, unit);
 }
-
-// Suppresses the messages about a file that Open CASCADE's readers write to std::cout, as long as the object exists.
-class Silence
-{
-  std::ostringstream m_nowhere;
-  std::streambuf* m_buffer;
-
-public:
-  Silence() : m_buffer(std::cout.rdbuf(m_nowhere.rdbuf()))
-  {
-    Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); // permanently
-  }
-  ~Silence() { std::cout.rdbuf(m_buffer); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-};
 
 // Of the box of a shape; 0 if that is empty or has no end.
 inline double diagonal_of(const TopoDS_Shape& shape)
@@ -307,7 +294,7 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
     throw Usage_error("no face can be meshed; face " + std::to_string(result.left_out.front().shape_face + 1) + ": "
                       + result.left_out.front().reason);
   }
-  Progress_line progress(options.is_quiet);
+  Progress_line progress(options.is_quiet, options.callbacks);
   const auto np = result.mesh.places(parameters::leaves_out_bad_faces(true).visitor(std::ref(progress)));
 #ifdef CGAL_LINKED_WITH_TBB
   if(options.threads > 1) {
@@ -356,7 +343,7 @@ inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& res
   const double unit = unit_in_millimetres(given);
   Mesh_cad_options options = given;
   scale_lengths(unit, options);
-  TopoDS_Shape shape;
+  TopoDS_Shape& shape = result.open_cascade_shape;
   result.reading_seconds = seconds_of([&] { shape = read_shape(options, result); });
   if(!TopExp_Explorer(shape, TopAbs_FACE).More())
     throw Usage_error("no face could be read from " + options.input);

@@ -3,6 +3,8 @@
 #ifndef PROGRESS_LINE_H
 #define PROGRESS_LINE_H
 
+#include "Mesh_callbacks.h"
+
 #include <CGAL/Parametric_surface_mesh_visitor.h>
 
 #include <unistd.h>
@@ -11,8 +13,10 @@
 #include <cstddef>
 #include <iostream>
 #include <string>
+#include <utility>
 
-// Shows on the terminal, if there is one, how far meshing is: a line that overwrites itself.
+// Shows on the terminal, if there is one, how far meshing is: a line that overwrites itself. Callbacks are told
+// and asked, too.
 class Progress_line : public CGAL::Parametric_surface_mesh_visitor
 {
   typedef std::chrono::steady_clock Clock;
@@ -20,19 +24,31 @@ class Progress_line : public CGAL::Parametric_surface_mesh_visitor
   bool m_is_shown;
   std::string m_phase;
   Clock::time_point m_last = Clock::now();
+  Mesh_callbacks m_callbacks;
 
 public:
-  explicit Progress_line(bool is_quiet) : m_is_shown(!is_quiet && isatty(STDERR_FILENO)) {}
+  explicit Progress_line(bool is_quiet, Mesh_callbacks callbacks = Mesh_callbacks())
+    : m_is_shown(!is_quiet && isatty(STDERR_FILENO)), m_callbacks(std::move(callbacks))
+  {}
 
   ~Progress_line() { clear(); }
 
   Progress_line(const Progress_line&) = delete;
   Progress_line& operator=(const Progress_line&) = delete;
 
-  void on_phase(const char* name) { m_phase = name; }
+  void on_phase(const char* name)
+  {
+    m_phase = name;
+    if(m_callbacks.on_phase)
+      m_callbacks.on_phase(name);
+  }
+
+  bool go_further() { return !m_callbacks.go_further || m_callbacks.go_further(); }
 
   void on_progress(std::size_t number_of_vertices, std::size_t number_of_bad_faces)
   {
+    if(m_callbacks.on_progress)
+      m_callbacks.on_progress(number_of_vertices, number_of_bad_faces);
     if(!m_is_shown || Clock::now() - m_last < std::chrono::milliseconds(100))
       return;
     m_last = Clock::now();

@@ -37,6 +37,10 @@ inline void scale_lengths(double factor, Mesh_cad_options& options)
     for(auto& size : *sizes)
       size.second *= factor;
   options.spheres.scale(factor);
+  if(options.callbacks.size)
+    options.callbacks.size = [size = options.callbacks.size, factor](double x, double y, double z) {
+      return factor * size(x / factor, y / factor, z / factor);
+    };
 }
 
 inline void scale_lengths(double factor, CGAL::Open_cascade_names_3& names)

@@ -111,7 +111,7 @@ private:
   [[noreturn]] void run(const Process_limits& limits, const Function& function) const
   {
     ::close(m_pipe[0]);
-    for(int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGALRM})
+    for(int signal : {SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGALRM})
       std::signal(signal, SIG_DFL);
     silence();
     set_limit(RLIMIT_CPU, limits.seconds);

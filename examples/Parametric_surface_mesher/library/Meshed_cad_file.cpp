@@ -1,0 +1,191 @@
+// This file is part of Parametric_surface_mesher, an extension package of CGAL.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Meshed_cad_file.h"
+
+#include "Mesh_cad_intersections.h"
+#include "Mesh_cad_options.h"
+#include "Mesh_cad_output.h"
+#include "Mesh_cad_result.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+// A single edge at the minimum length may be a little farther off than the distance allows; the summary says so. What is farther off is an error.
+const double largest_share_of_distance = 1.5;
+
+// Whether the mesh is one of all that the file has, and of what was asked for.
+bool is_whole(const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  const bool is_part_wanted = !options.faces.empty() || !options.part_lists.empty();
+  return result.left_out.empty() && result.file_faults.empty() && result.number_of_lost_faces == 0
+         && (is_part_wanted || result.quality.is_closed || !result.shape.is_shape_closed) && !mesh_cad::intersects_itself(result)
+         && !(mesh_cad::share_of_allowed_distance(result) > largest_share_of_distance);
+}
+
+// returns the exit status
+int run(const Mesh_cad_options& options)
+{
+  if(options.is_list_wanted) {
+    mesh_cad::list_parts(std::cout, options);
+    return 0;
+  }
+  Mesh_cad_result result;
+  const Output_files files = mesh_cad::output_files(options, result);
+  mesh_cad::mesh_and_measure(options, result);
+  files.write();
+  if(!options.is_quiet)
+    mesh_cad::print_summary(std::cout, options, result);
+  return is_whole(options, result) ? 0 : 1;
+}
+
+int fail(std::string message)
+{
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::cerr << "mesh_cad: " << message << "\n";
+  return 2;
+}
+
+Mesh_cad_options read_options(std::vector<std::string> arguments)
+{
+  arguments.insert(arguments.begin(), "mesh_cad");
+  std::vector<char*> words;
+  for(std::string& argument : arguments)
+    words.push_back(&argument[0]);
+  return read_mesh_cad_options(int(words.size()), words.data());
+}
+
+// The pieces of edges of the shape. Where pieces of the mesh meet, each of them has one.
+void append_edges(const Mesh_cad_result& result, Mesh_arrays& arrays)
+{
+  std::vector<std::size_t> numbers(result.shape.model.edges().size(), 0); // by edge of the model, from 1
+  for(std::size_t e = result.shape.model_edges.size(); e-- > 0;)
+    for(const std::size_t edge : result.shape.model_edges[e])
+      numbers[edge] = e + 1;
+  const auto& mesh = result.mesh.mesh;
+  for(const auto e : mesh.edges()) {
+    const std::size_t edge = result.mesh.edge_place[e].index;
+    if(edge >= numbers.size() || numbers[edge] == 0)
+      continue;
+    arrays.edges.push_back({std::size_t(mesh.vertex(e, 0)), std::size_t(mesh.vertex(e, 1))});
+    arrays.edge_ids.push_back(numbers[edge]);
+  }
+}
+
+void append_groups(const CGAL::Element_mesh_3& elements, Mesh_arrays& arrays)
+{
+  for(const auto& group : elements.groups) {
+    Mesh_arrays::Group named{group.name, group.dimension, {}};
+    for(const std::size_t i : group.entities)
+      named.numbers.push_back(group.dimension == 3   ? elements.parts[i].number
+                              : group.dimension == 2 ? elements.surfaces[i].number
+                              : group.dimension == 1 ? elements.curves[i].number
+                                                     : elements.vertices[i].number);
+    arrays.groups.push_back(std::move(named));
+  }
+  for(const auto& part : elements.parts)
+    arrays.groups.push_back({part.name, 3, {part.number}});
+}
+
+} // namespace
+
+int run_mesh_cad(int argc, char** argv)
+{
+  try {
+    const Mesh_cad_options options = read_mesh_cad_options(argc, argv);
+    if(!options.is_help_wanted)
+      return run(options);
+    mesh_cad::print_help(std::cout);
+    return 0;
+  }
+  catch(const std::bad_alloc&) {
+    return fail("the memory is too small for this mesh; choose a larger --max-edge or --min-edge");
+  }
+  catch(const std::exception& error) {
+    return fail(error.what());
+  }
+}
+
+struct Meshed_cad_file::Data
+{
+  Mesh_cad_options options;
+  Mesh_cad_result result;
+};
+
+Meshed_cad_file::Meshed_cad_file(const std::vector<std::string>& arguments, const Mesh_callbacks& callbacks)
+{
+  const auto data = std::make_shared<Data>();
+  data->options = read_options(arguments);
+  data->options.is_quiet = true;
+  data->options.out = "mesh.vtu"; // which shows all that is measured of triangles
+  data->options.callbacks = callbacks;
+  mesh_cad::mesh_and_measure(data->options, data->result);
+  data->options.callbacks = Mesh_callbacks(); // what they refer to may go
+  m_data = data;
+}
+
+Mesh_arrays Meshed_cad_file::arrays() const
+{
+  const Mesh_cad_result& result = m_data->result;
+  Mesh_arrays arrays;
+  mesh_cad::Elements elements = mesh_cad::elements(result);
+  arrays.points = std::move(elements.points);
+  arrays.triangles = std::move(elements.triangles);
+  arrays.face_ids = std::move(elements.face_ids);
+  const auto parts = CGAL::Parametric_surface_mesher::internal::parts_of_model_faces(result.shape, result.names);
+  for(const auto f : result.mesh.mesh.faces()) {
+    const std::size_t part = parts[result.mesh.patch[f]];
+    arrays.part_ids.push_back(part == mesh_cad::Names::none ? 0 : part + 1);
+    arrays.uv.emplace_back();
+    std::size_t i = 0;
+    for(const auto h : result.mesh.mesh.halfedges_around_face(result.mesh.mesh.halfedge(f))) {
+      arrays.uv.back()[i++] = result.mesh.uv[h].x();
+      arrays.uv.back()[i++] = result.mesh.uv[h].y();
+    }
+  }
+  append_edges(result, arrays);
+  append_groups(mesh_cad::element_mesh(m_data->options, result), arrays);
+  return arrays;
+}
+
+std::string Meshed_cad_file::json() const
+{
+  std::ostringstream out;
+  mesh_cad::write_json(out, m_data->options, m_data->result);
+  return out.str();
+}
+
+std::string Meshed_cad_file::summary() const
+{
+  std::ostringstream out;
+  mesh_cad::print_summary(out, m_data->options, m_data->result);
+  return out.str();
+}
+
+bool Meshed_cad_file::is_whole() const { return ::is_whole(m_data->options, m_data->result); }
+
+void Meshed_cad_file::save(const std::string& file_name, bool is_binary, bool are_node_parameters_wanted) const
+{
+  Mesh_cad_options options = m_data->options;
+  options.out = file_name;
+  options.is_binary = is_binary;
+  options.are_node_parameters_wanted = are_node_parameters_wanted;
+  mesh_cad::output_files(options, m_data->result).write();
+}
+
+std::vector<std::pair<std::string, std::string>> Meshed_cad_file::options()
+{
+  Mesh_cad_options defaults;
+  std::vector<std::pair<std::string, std::string>> result;
+  for(const auto& option : mesh_cad::described_options(defaults).options())
+    result.emplace_back(option->long_name(), option->description());
+  return result;
+}
