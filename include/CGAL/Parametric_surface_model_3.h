@@ -16,6 +16,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Space_curve_3.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -174,12 +175,25 @@ public:
     m_faces.swap(rest);
   }
 
-  /// gives all faces, as they are now, a sizing field in space: `field` returns the wanted edge length at a point.
+  /// gives all faces, as they are now, a sizing field in space.
+  /// \tparam Field a model of `ParametricSurfaceSizingField_3`
   template <class Field>
   void set_sizing_field(const Field& field)
   {
     for(Face& face : m_faces)
       face.sizing_field = [surface = face.surface, field](double u, double v) { return field(surface.point(u, v)); };
+  }
+
+  /// adds a sizing field in space to those that the faces have: the least length counts.
+  /// \tparam Field a model of `ParametricSurfaceSizingField_3`
+  template <class Field>
+  void add_sizing_field(const Field& field)
+  {
+    for(Face& face : m_faces)
+      face.sizing_field = [before = face.sizing_field, surface = face.surface, field](double u, double v) {
+        const double length = field(surface.point(u, v));
+        return before ? (std::min)(length, before(u, v)) : length;
+      };
   }
 
   /// \name Tolerance

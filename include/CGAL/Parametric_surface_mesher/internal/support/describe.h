@@ -34,6 +34,13 @@ std::string describe(const Point_2& p)
   return text.str();
 }
 
+// A point in space.
+template <class Point_3>
+std::string describe_place(const Point_3& p)
+{
+  return "(" + describe(p.x()) + ", " + describe(p.y()) + ", " + describe(p.z()) + ")";
+}
+
 // "face 3" for the face with index 2: messages and files count from 1, as CAD programs do, indices of the interface from 0.
 inline std::string numbered(const char* what, std::size_t index)
 {
