@@ -10,9 +10,9 @@
 
 #include <CGAL/AABB_tree.h>
 #if __has_include(<CGAL/AABB_traits_3.h>)
-#include <CGAL/AABB_traits_3.h>
+#  include <CGAL/AABB_traits_3.h>
 #else
-#include <CGAL/AABB_traits.h>
+#  include <CGAL/AABB_traits.h>
 #endif
 
 #include <cstddef>
