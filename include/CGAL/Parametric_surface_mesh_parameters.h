@@ -26,6 +26,7 @@ enum Edge_place_map_t { edge_place_map_tag };
 enum Metric_field_t { metric_field_tag };
 enum Leaves_out_bad_faces_t { leaves_out_bad_faces_tag };
 enum Triangle_criterion_t { triangle_criterion_tag };
+enum Kept_faces_t { kept_faces_tag };
 
 template <class Tag, class T>
 Named_function_parameters<T, Tag> named_parameter(const T& value)
@@ -153,6 +154,19 @@ auto leaves_out_bad_faces(bool b, const Others&... others)
 {
   return Parametric_surface_mesher::internal::named_parameter<
     Parametric_surface_mesher::internal::Leaves_out_bad_faces_t>(b, others...);
+}
+
+/*!
+\ingroup PkgParametricSurfaceMesherRef
+
+the named parameter for the faces of an earlier run of the same model, which keep their triangles where nothing has changed, and then become
+those of this run: `std::ref` of a `Parametric_surface_mesher::Kept_faces`. See `vertex_uv_map()` on how to combine it.
+*/
+template <class KeptFaces, class... Others>
+auto kept_faces(const KeptFaces& faces, const Others&... others)
+{
+  return Parametric_surface_mesher::internal::named_parameter<
+    Parametric_surface_mesher::internal::Kept_faces_t>(faces, others...);
 }
 
 } // namespace parameters

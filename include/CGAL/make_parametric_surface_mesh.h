@@ -20,6 +20,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/driver/check_types.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/mesh_apart.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/with_good_faces.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/with_kept_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Criteria_with_own.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/model_of_patch.h>
@@ -145,16 +146,19 @@ Parametric_surface_mesh_report mesh_model(const Model& model, const Bad_faces& b
   const auto& criteria = with_own_criterion(given_criteria, get_parameter(np, Triangle_criterion_t()));
   Parametric_surface_mesh_report report;
   Indexed_mesh<Kernel> mesh;
-  mesh.keeps_domain_points = keeps_domain_points;
+  constexpr bool has_kept_faces = !parameters::is_default_parameter<NamedParameters, Kept_faces_t>::value;
+  mesh.keeps_domain_points = keeps_domain_points || has_kept_faces;
   mesh.has_other_sides = has_other_sides;
-  mesh.keeps_corner_points = keeps_corner_points || given_criteria.detail()
+  mesh.keeps_corner_points = keeps_corner_points || has_kept_faces || given_criteria.detail()
                              || given_criteria.self_intersections() != Self_intersections::IGNORED;
-  mesh_apart<ConcurrencyTag>(model, criteria, metric, progress, bad_faces, number_points, mesh, report,
-                             [&](auto& division, const auto& meeting_points) {
-                               Phase_timer timer(report.seconds.output);
-                               progress.on_phase("output");
-                               finish(division, meeting_points, mesh);
-                             });
+  with_kept_faces(model, criteria, metric, get_parameter(np, Kept_faces_t()), [&](Meshed_faces<Kernel>* kept_faces) {
+    mesh_apart<ConcurrencyTag>(model, criteria, metric, progress, bad_faces, kept_faces, number_points, mesh, report,
+                               [&](auto& division, const auto& meeting_points) {
+                                 Phase_timer timer(report.seconds.output);
+                                 progress.on_phase("output");
+                                 finish(division, meeting_points, mesh);
+                               });
+  });
   report.number_of_vertices = mesh.number_of_points();
   return report;
 }
@@ -316,6 +320,11 @@ Criteria, mesh, named parameters, report and exceptions are as above; in additio
                           it shares with others may have been divided with a look at its sizes, too.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{kept_faces}
+    \cgalParamDescription{the faces of an earlier run: those that would get the same triangles keep them and are not meshed again}
+    \cgalParamType{`std::ref` of a `Parametric_surface_mesher::Kept_faces<Kernel>`}
+    \cgalParamDefault{none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 */

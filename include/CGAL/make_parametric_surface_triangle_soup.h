@@ -59,8 +59,8 @@ are its triangles, too.
 \tparam Point_3 the point type of the surfaces
 \tparam Triangle a range of three numbers of points: `std::array<std::size_t, 3>`, or `std::vector<std::size_t>` as other
 polygon soups have it
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `metric_field`, `visitor` and
-`leaves_out_bad_faces` as for `make_parametric_surface_mesh()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters": `metric_field`, `visitor`, `kept_faces`
+and `leaves_out_bad_faces` as for `make_parametric_surface_mesh()`
 
 \param model the model
 \param criteria what the triangles must meet

@@ -28,7 +28,7 @@ Boundary_loops division(const Surface& surface, const Domain& domain, const Crit
   Mesh_progress progress;
   Bad_faces bad_faces(false);
   Report report;
-  auto divided = make_model_mesher(model, criteria, metric, progress, bad_faces, report).divide();
+  auto divided = make_model_mesher(model, criteria, metric, progress, bad_faces, nullptr, report).divide();
   divided.number_along_edges();
   return divided.boundary_loops(0);
 }

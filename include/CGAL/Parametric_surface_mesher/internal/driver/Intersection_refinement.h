@@ -9,6 +9,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DRIVER_INTERSECTION_REFINEMENT_H
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/Meshed_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Room_between_triangles.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Intersection_search.h>
@@ -50,6 +51,7 @@ private:
   typedef typename Sources::Source Source;
   typedef Triangle_on_surface<Surface> Triangle;
   typedef std::pair<std::size_t, std::size_t> Patches;
+  typedef std::map<std::size_t, std::vector<Source>> Sources_of_patches;
 
   // The deviation of an edge of the wanted length, as a share of the distance between two surfaces. Edges may be 1.4 times as long, then
   // deviations are twice as large; and both surfaces deviate.
@@ -68,7 +70,7 @@ private:
   // What was done about two patches, or one with itself, whose triangles pass through each other.
   struct Attempt
   {
-    std::map<std::size_t, std::vector<Source>> sources; // by patch
+    Sources_of_patches sources;
     double number_of_triangles = 0;                     // that these add, by an estimate
     std::size_t number_of_pairs = 0;                    // before there were any
     bool is_given_up = false;
@@ -78,6 +80,7 @@ private:
   const Parametric_surface_mesh_criteria& m_criteria;
   double m_min_edge, m_max_edge;
   std::map<Patches, Attempt> m_attempts;
+  Sources_of_patches m_sources; // of the finer model
   std::map<std::size_t, Bbox_2> m_boxes; // of patches in their domains
   int m_number_of_rounds = 0;
 
@@ -129,10 +132,10 @@ public:
     return is_changed;
   }
 
-  // The model with the sizes.
-  Model finer_model() const
+  // The model with the sizes. `meshed_faces`: loses those whose sizes are not the same as in the finer model before
+  Model finer_model(Meshed_faces<Kernel>& meshed_faces)
   {
-    std::map<std::size_t, std::vector<Source>> sources;
+    Sources_of_patches sources;
     for(const auto& attempt : m_attempts)
       for(const auto& of_patch : attempt.second.sources) {
         const std::size_t front = m_model.faces()[of_patch.first].other_side_of;
@@ -140,12 +143,32 @@ public:
         all.insert(all.end(), of_patch.second.begin(), of_patch.second.end());
       }
     Model result = m_model;
-    for(auto& of_patch : sources)
-      set_sizes(std::move(of_patch.second), result.faces()[of_patch.first]);
+    for(const auto& of_patch : sources)
+      set_sizes(of_patch.second, result.faces()[of_patch.first]);
+    for(std::size_t f = 0; f < result.faces().size(); ++f)
+      if(!have_same_sources(f, m_sources, sources))
+        meshed_faces.forget(f);
+    m_sources = std::move(sources);
     return result;
   }
 
+  // Faces lose what they were meshed with in the finer model.
+  void forget_refined(Meshed_faces<Kernel>& meshed_faces) const
+  {
+    for(const auto& of_patch : m_sources)
+      meshed_faces.forget(of_patch.first);
+  }
+
 private:
+  static bool have_same_sources(std::size_t patch, const Sources_of_patches& before, const Sources_of_patches& now)
+  {
+    const auto first = before.find(patch), second = now.find(patch);
+    if(first == before.end() || second == now.end())
+      return first == before.end() && second == now.end();
+    return std::equal(first->second.begin(), first->second.end(), second->second.begin(), second->second.end(),
+                      [](const Source& a, const Source& b) { return a.place == b.place && a.length == b.length; });
+  }
+
   template <class Face>
   void set_sizes(std::vector<Source> sources, Face& face) const
   {

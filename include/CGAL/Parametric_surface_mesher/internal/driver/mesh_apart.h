@@ -11,6 +11,7 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Intersection_refinement.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/Meshed_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/mesh_model.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
@@ -62,31 +63,38 @@ bool is_to_be_refined(const Model& model, const Parametric_surface_mesh_criteria
 }
 
 // Meshes a model, and again with smaller sizes where the mesh intersects itself. `number_points`: gives the points of the division their
-// indices. `finish`: is called with the division and the points where several pieces of the mesh may meet
+// indices. `kept_faces`: of an earlier run that would be meshed in the same way, then those of this one; a null pointer if none are kept.
+// `finish`: is called with the division and the points where several pieces of the mesh may meet
 // \pre the mesh is empty
 template <class ConcurrencyTag, class Model, class Criteria, class MetricField, class Numbering, class Mesh, class Finish>
 void mesh_apart(const Model& model, const Criteria& criteria, const MetricField& metric, Mesh_progress& progress,
-                const Bad_faces& bad_faces, const Numbering& number_points, Mesh& mesh, Parametric_surface_mesh_report& report,
-                const Finish& finish)
+                const Bad_faces& bad_faces, Meshed_faces<typename Model::Geom_traits>* kept_faces, const Numbering& number_points,
+                Mesh& mesh, Parametric_surface_mesh_report& report, const Finish& finish)
 {
   const Mesh empty = mesh;
   std::optional<Model> finer_model;
   std::optional<Intersection_refinement<Model>> refinement;
+  Meshed_faces<typename Model::Geom_traits> faces_of_run;
+  if(kept_faces == nullptr && criteria.self_intersections() == Self_intersections::REFINED)
+    kept_faces = &faces_of_run;
   for(bool is_done = false; !is_done;) {
     mesh = empty;
     Bad_faces bad_faces_of_round = bad_faces;
     const auto seconds = report.seconds;
     report = Parametric_surface_mesh_report();
     report.seconds = seconds;
-    auto mesher = make_model_mesher(finer_model ? *finer_model : model, criteria, metric, progress, bad_faces_of_round, report);
+    auto mesher = make_model_mesher(finer_model ? *finer_model : model, criteria, metric, progress, bad_faces_of_round,
+                                    kept_faces, report);
     auto division = mesher.divide();
     mesher.template mesh_faces<ConcurrencyTag>(division, number_points, mesh);
     is_done = !is_to_be_refined(model, criteria, mesh, refinement, report);
     if(is_done)
       finish(division, mesher.meeting_points());
     else
-      finer_model = refinement->finer_model();
+      finer_model = refinement->finer_model(*kept_faces);
   }
+  if(finer_model)
+    refinement->forget_refined(*kept_faces);
 }
 
 } // namespace internal

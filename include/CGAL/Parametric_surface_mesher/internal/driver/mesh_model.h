@@ -8,7 +8,6 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DRIVER_MESH_MODEL_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DRIVER_MESH_MODEL_H
 
-#include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/curing/Mesh_curing.h>
@@ -19,9 +18,11 @@
 #include <CGAL/Parametric_surface_mesher/internal/division/Triangulated_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Face_job.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Faces_of_points.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/Meshed_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/append_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/is_turned_by_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/make_oracles.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/set_default_sizes.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/curve_box.h>
@@ -40,7 +41,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <optional>
@@ -50,20 +50,6 @@
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
-
-// Fills in the sizes that the user left open.
-inline void set_default_sizes(Parametric_surface_mesh_criteria& criteria, double diagonal)
-{
-  if(!(diagonal > 0) || !std::isfinite(diagonal))
-    throw Parametric_surface_mesh_error("the surface is degenerate: its boundary is a point in space");
-  if(!criteria.sizing().max_edge)
-    criteria.set_max_edge(diagonal / 20);
-  if(!criteria.sizing().min_edge)
-    criteria.set_min_edge((std::min)(criteria.max_edge(), diagonal / 20) / 200);
-  if(criteria.min_edge() > criteria.max_edge())
-    throw Parametric_surface_mesh_error("the minimum edge length " + describe(criteria.min_edge())
-                                        + " is larger than the maximum edge length " + describe(criteria.max_edge()));
-}
 
 // From a model to its triangles: the division of the edges, then the faces, as jobs for a scheduler, then all together.
 template <class Model, class Criteria, class MetricField>
@@ -90,15 +76,16 @@ private:
   std::optional<Other_sides> m_other_sides; // once the edges are divided
   Mesh_progress& m_progress;
   Bad_faces& m_bad_faces;
+  Meshed_faces<Kernel>* m_meshed_faces;
   Parametric_surface_mesh_report& m_report;
   std::vector<std::size_t> m_meeting_points;
 
 public:
-  // Faces without loops are left out.
+  // Faces without loops are left out. `meshed_faces`: of an earlier run, then of this one; a null pointer if none are kept
   Model_mesher(const Model& model, const Criteria& criteria, const MetricField& metric, Mesh_progress& progress,
-               Bad_faces& bad_faces, Parametric_surface_mesh_report& report)
+               Bad_faces& bad_faces, Meshed_faces<Kernel>* meshed_faces, Parametric_surface_mesh_report& report)
     : m_model(model), m_criteria(criteria), m_surfaces(copy_surfaces(model)), m_oracles(make_oracles(model, m_surfaces, metric)),
-      m_are_reversed(model.faces().size()), m_progress(progress), m_bad_faces(bad_faces), m_report(report)
+      m_are_reversed(model.faces().size()), m_progress(progress), m_bad_faces(bad_faces), m_meshed_faces(meshed_faces), m_report(report)
   {
     set_default_sizes(m_criteria, model_diagonal(model));
     m_report.max_edge = m_criteria.max_edge();
@@ -160,8 +147,12 @@ private:
   {
     std::vector<Face_job> result;
     for(std::size_t f = 0; f < m_model.faces().size(); ++f)
-      if(!m_model.faces()[f].loops.empty() && !m_bad_faces.contains(f) && m_other_sides->front(f) == Other_sides::none)
+      if(!m_model.faces()[f].loops.empty() && !m_bad_faces.contains(f) && m_other_sides->front(f) == Other_sides::none) {
         result.emplace_back(f, division.boundary_loops(f), !are_copies_independent(m_model.faces()[f].surface));
+        if(m_meshed_faces)
+          if(auto meshed = m_meshed_faces->take(f, result.back().loops()))
+            result.back().keep(std::move(*meshed));
+      }
     return result;
   }
 
@@ -237,12 +228,14 @@ private:
     }
   }
 
-  // A face is collected at once, while its triangulation is in the cache, and to be rid of that; unless it has a chord that may
+  // A face that is kept from an earlier run is as if it were collected. Another one is collected at once, while its triangulation is in the cache, and to be rid of that; unless it has a chord that may
   // be that of another one. `number_of_vertices`: of the faces before
   template <class ConcurrencyTag>
   void run_and_collect(ConcurrencyTag, Face_job& job, std::size_t number_of_vertices, const Faces_of_points& faces_of_points,
                        const Mesh& mesh)
   {
+    if(job.is_kept() && !job.is_limited_by(limit_of_face(job, number_of_vertices)) && !may_have_common_chord(job, faces_of_points, mesh))
+      return;
     Criteria criteria = criteria_of_face(m_criteria, m_model.faces()[job.face()]);
     criteria.set_max_number_of_vertices(limit_of_face(job, number_of_vertices));
     job.template run<ConcurrencyTag>(m_oracles[job.face()], criteria, triangulated_boundary(job), m_progress);
@@ -337,6 +330,8 @@ private:
         for(const auto& vertex : loop)
           mesh.domain_points[vertex.index] = vertex.domain_point;
       m_report.is_stopped = m_report.is_stopped || job.is_stopped();
+      if(m_meshed_faces && job.may_be_kept())
+        m_meshed_faces->keep(job.face(), job.loops(), job.meshed());
       append_report(job.result().report, 0, m_report);
       const std::size_t place_of_cuts = mesh.points.size();
       mesh.points.insert(mesh.points.end(), job.result().cut_points.begin(), job.result().cut_points.end());
@@ -385,9 +380,9 @@ private:
 template <class Model, class Criteria, class MetricField>
 Model_mesher<Model, Criteria, MetricField>
 make_model_mesher(const Model& model, const Criteria& criteria, const MetricField& metric, Mesh_progress& progress,
-                  Bad_faces& bad_faces, Parametric_surface_mesh_report& report)
+                  Bad_faces& bad_faces, Meshed_faces<typename Model::Geom_traits>* meshed_faces, Parametric_surface_mesh_report& report)
 {
-  return Model_mesher<Model, Criteria, MetricField>(model, criteria, metric, progress, bad_faces, report);
+  return Model_mesher<Model, Criteria, MetricField>(model, criteria, metric, progress, bad_faces, meshed_faces, report);
 }
 
 } // namespace internal

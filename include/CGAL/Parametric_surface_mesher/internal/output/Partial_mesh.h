@@ -47,13 +47,14 @@ struct Partial_mesh
   Index target(std::size_t side) const { return faces[side / 3][(side % 3 + 1) % 3]; }
   Index halfedge(std::size_t side) const { return halfedges[side / 3][side % 3]; }
 
-  // Gives points of the division other indices.
-  void renumber_division(const std::vector<std::size_t>& indices)
+  // Gives points of the division other indices. `indices`: the new ones, by the present ones
+  template <class Indices>
+  void renumber_division(const Indices& indices)
   {
     for(auto& face : faces)
       for(Index& v : face)
         if(v < first_cut_point)
-          v = Index(indices[v]);
+          v = Index(indices.at(v));
   }
 
   // Reverses all faces.
