@@ -89,6 +89,48 @@ TEST_F(Mesh_cad_groups, meshes_some_parts)
   EXPECT_TRUE(has(unknown.err, "there is no part 'nail'; the parts are 1 bridge, 2 bridge/left plate")) << unknown.err;
 }
 
+TEST_F(Mesh_cad_groups, meshes_faces_with_names)
+{
+  const auto faces = [this](const std::string& list) { return json("bridge.step --quiet --faces " + list)["meshed_faces"].get<int>(); };
+  EXPECT_EQ(faces("top"), 2);
+  EXPECT_EQ(faces("column"), 12);                 // of a part
+  EXPECT_EQ(faces("'pin, the only one'"), 3);     // a name with a comma
+  EXPECT_EQ(faces("top,'left plate',25-27"), 10); // one of the two is in the plate
+  EXPECT_TRUE(has(run("bridge.step --faces top,bottom").err, "there is no face 'bottom'"));
+  EXPECT_TRUE(has(run("bridge.step --faces top,28").err, "there is no face 28, the shape has 27 faces"));
+  expect_refused("bridge.step --faces ''", "--faces");
+  expect_refused("bridge.step --faces top,", "--faces");
+}
+
+TEST_F(Mesh_cad_groups, names_stand_for_faces_and_edges_in_sizes)
+{
+  const auto triangles = [this](const std::string& options) { return json("bridge.step --quiet --max-edge 2 " + options)["triangles"].get<int>(); };
+  const int plain = triangles(""), top = triangles("--face-size top:0.5"), pin = triangles("--face-size 'pin, the only one:0.2'");
+  EXPECT_GT(top, plain + 1000); // two faces of 10 x 10
+  EXPECT_GT(pin, plain);
+  EXPECT_GT(triangles("--face-size top:0.5,pin:0.2"), (std::max)(top, pin));
+  EXPECT_GT(triangles("--edge-size top:0.5"), plain);
+  EXPECT_GT(triangles("--edge-size 'left plate:0.5'"), plain);
+  expect_refused("bridge.step --face-size bottom:0.5", "there is no face 'bottom'");
+  expect_refused("bridge.step --edge-size bottom:0.5", "there is no edge 'bottom'");
+  expect_refused("bridge.step --face-size top:x", "--face-size");
+}
+
+TEST_F(Mesh_cad_groups, sizes_near_what_has_a_name)
+{
+  const auto triangles = [this](const std::string& options) { return json("bridge.step --quiet --max-edge 2 " + options)["triangles"].get<int>(); };
+  const int plain = triangles(""), face = triangles("--local-size face:top:0.5:1"), part = triangles("--local-size part:column:0.5:1");
+  EXPECT_GT(face, plain + 1000);
+  EXPECT_GT(part, plain);
+  EXPECT_GT(triangles("--local-size face:top:0.5:0.1"), face); // grows slower
+  EXPECT_GT(triangles("--local-size face:top:0.5:1 --local-size part:column:0.5:1"), (std::max)(face, part));
+  EXPECT_EQ(triangles("--local-size face:top:0.5:1 --local-size sphere:0,0,0,1000:2"), face); // the least counts
+  EXPECT_GT(triangles("--parts 'left plate' --local-size part:column:0.5"), triangles("--parts 'left plate'")); // near what is not meshed
+  EXPECT_EQ(json("bridge.step --quiet --unit M --max-edge 0.002 --local-size face:top:0.0005:1")["triangles"], face);
+  expect_refused("bridge.step --local-size face:bottom:0.5", "there is no face 'bottom'");
+  expect_refused("bridge.step --local-size part:nail:0.5", "there is no part 'nail'");
+}
+
 TEST_F(Mesh_cad_groups, names_in_numbers)
 {
   const nlohmann::json numbers = json("bridge.step --quiet --max-edge 5");

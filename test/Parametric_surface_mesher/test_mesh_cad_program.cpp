@@ -93,7 +93,7 @@ TEST_F(Mesh_cad_program, helps)
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err, "");
   for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--distance", "--relative-distance", "--angle", "--closeness", "--growth", "--sweeps", "--threads",
-                            "--face-size", "--edge-size", "--sphere-size", "--sew", "--faces", "--unit", "--heal", "--out", "--picture", "--json", "--quiet",
+                            "--face-size", "--edge-size", "--local-size", "--sphere-size", "--sew", "--faces", "--unit", "--heal", "--out", "--picture", "--json", "--quiet",
                             ".vtu", ".msh", ".inp", ".step", ".iges", ".brep", "Exit status"})
     EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
@@ -366,6 +366,21 @@ TEST_F(Mesh_cad_program, spheres_ask_for_small_edges)
   EXPECT_LT(mean_area("--sphere-size 0,0,0,0.2:0.05 --sphere-size 1,2,3,0.2:0.05"), 0.8 * mean_area("--sphere-size 0,0,0,0.2:0.05"));
   for(const char* sphere : {"0,0,0:1", "0,0,0,1", "0,0,0,1:0", "0,0,0,-1:1", "0,0,0,1:x", "0,0,0,1:1:1", "0,0,nan,1:1", "0,0,0,1:1e-9"})
     expect_refused(std::string("box.brep --sphere-size ") + sphere, "--sphere-size");
+}
+
+// Of the triangles on the sides of a box around the origin.
+TEST_F(Mesh_cad_program, sizes_in_parts_of_space_and_near_edges_and_vertices)
+{
+  const auto triangles = [this](const std::string& options) { return json("box.brep --quiet --max-edge 0.5 " + options)["triangles"].get<int>(); };
+  const int plain = triangles("");
+  for(const char* size : {"box:0,0,0,0.5,0.5,0.5:0.05", "box:0.5,0.5,0.5,0,0,0:0.05", "sphere:1,2,3,0.1:0.05:0.5", "cylinder:0,0,0,0,0,3,0.1:0.05", "point:1,2,3:0.05",
+                          "face:1:0.1", "edge:12:0.05:0.5", "vertex:8:0.05"})
+    EXPECT_GT(triangles(std::string("--local-size ") + size), 1.2 * plain) << size;
+  EXPECT_EQ(triangles("--local-size box:5,5,5,6,6,6:0.5"), plain); // no edge is longer
+  EXPECT_EQ(triangles("--local-size sphere:0,0,0,0.2:0.05"), triangles("--sphere-size 0,0,0,0.2:0.05"));
+  for(const char* size : {"box:0,0,0,1,1:1", "box:0,0,0,1,1,1", "sphere:0,0,0,-1:1", "cone:0,0,0:1", "cylinder:0,0,0,0,0,0,1:1", "point:0,0,0:0", "point:0,0,x:1", "point:0,0,0:1:-1",
+                          "point:0,0,0:1:11", "point:0,0,0:1:1:1", "face::1", "face:1", "face:7:1", "edge:13:1", "vertex:9:1", "vertex:x:1", "point:0,0,0:1e-9", "", ":", "::::"})
+    expect_refused(std::string("box.brep --local-size '") + size + "'", "--local-size");
 }
 
 TEST_F(Mesh_cad_program, heals) { EXPECT_EQ(run("box.step --heal --out healed.off").status, 0); }

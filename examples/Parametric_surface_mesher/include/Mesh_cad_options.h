@@ -5,9 +5,9 @@
 #ifndef MESH_CAD_OPTIONS_H
 #define MESH_CAD_OPTIONS_H
 
+#include "Local_size.h"
 #include "Mesh_callbacks.h"
 #include "Mesh_cad_fineness.h"
-#include "Size_spheres.h"
 #include "Usage_error.h"
 
 #include <boost/optional.hpp>
@@ -15,9 +15,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <ostream>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -26,18 +24,16 @@ struct Mesh_cad_options
 {
   std::string input, out, picture, json, unit = "MM";
   std::string face_list, face_sizes, edge_sizes, self_intersections = "refine";
-  std::vector<std::string> sphere_list, part_lists;
+  std::vector<std::string> sphere_list, local_list, part_lists;
   std::string fineness = "normal";
   double elements_per_turn = 0; // 0 if not given
   double share_of_max_edge = 0; // of the diagonal, from `fineness`
   double max_edge = 0, min_edge = 0, distance = 0, detail = 0; // 0 if not given
   double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8, growth = 0;
   double sewing_tolerance = -1; // 0 for never, below 0 if not given
-  Size_spheres spheres;         // from `sphere_list`
+  std::vector<mesh_cad::Local_size> local_sizes; // from `local_list` and `sphere_list`
   boost::optional<unsigned int> sweeps;
   unsigned int threads = 1, order = 1;
-  std::set<std::size_t> faces;                                 // from `face_list`; empty for all
-  std::map<std::size_t, double> max_edge_of_face, max_edge_of_edge; // from the lists of sizes
   double fuzzy = 0; // 0 for the tolerances of the file
   bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_list_wanted = false;
   bool are_node_parameters_wanted = false, is_binary = false;
@@ -128,17 +124,19 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("angle", number(o.angle), "smallest angle in degrees, at least 0 and below 60 (30); refinement goes for no more than 32, improvement for the rest")
     ("closeness", number(o.closeness), "maximum length of a boundary edge, as a multiple of the local width of its face (1.8)")
     ("growth", number(o.growth), "how fast edges grow away from the boundary of a face, as a share of the distance (0: not at all; 0.1 saves many triangles)")
-    ("face-size", text(o.face_sizes, "F:L,..."), "wanted edge lengths of single faces; 3:0.5 sets 0.5 for face 3")
-    ("edge-size", text(o.edge_sizes, "E:L,..."), "wanted edge lengths on single edges of the shape")
-    ("sphere-size", po::value<std::vector<std::string>>(&o.sphere_list)->value_name("X,Y,Z,R:L"),
-     "wanted edge length L in the sphere of radius R around the point X,Y,Z, growing outside by 0.2 of the distance; may be given several times");
+    ("face-size", text(o.face_sizes, "F:L,..."), "wanted edge lengths of single faces; 3:0.5 sets 0.5 for face 3. F is a number, the name of faces or that of a part")
+    ("edge-size", text(o.edge_sizes, "E:L,..."), "wanted edge lengths on single edges of the shape. E is a number, the name of edges, or that of faces or a part, for their edges")
+    ("local-size", po::value<std::vector<std::string>>(&o.local_list)->value_name("WHERE:L[:G]"),
+     "wanted edge length L in a part of space or near something, growing outside by G of the distance (0.2); WHERE is box:X,Y,Z,X,Y,Z (two corners), sphere:X,Y,Z,R, "
+     "cylinder:X,Y,Z,X,Y,Z,R (the ends of its axis, and the radius), point:X,Y,Z, face:F, edge:E, vertex:V or part:P, with numbers or names; may be given several times, the least length counts")
+    ("sphere-size", po::value<std::vector<std::string>>(&o.sphere_list)->value_name("X,Y,Z,R:L"), "the same as --local-size sphere:X,Y,Z,R:L");
   criteria.add_options()
     ("self-intersections", text(o.self_intersections, "WHAT"),
      "triangles of one solid that pass through each other: refine (mesh again with shorter edges there, as far as that helps; list the rest), report or ignore (refine)");
   mesh_patch::add_sweeps(criteria, o.sweeps);
   po::options_description input("Input", 92);
   input.add_options()
-    ("faces", text(o.face_list, "LIST"), "mesh these faces only, for example 1,4,7-9")
+    ("faces", text(o.face_list, "LIST"), "mesh these faces only, by numbers or names of faces or parts, for example 1,4,7-9,Flange")
     ("parts", po::value<std::vector<std::string>>(&o.part_lists)->value_name("NAME,..."),
      "mesh these parts of an assembly only: numbers of --list, names or paths; sizes and distances stay those of the whole; may be given several times")
     ("unit", text(o.unit, "UNIT"), "unit of lengths, of options and results: UM, MM, CM, M, KM, UIN, MIL, INCH, FT or MI (MM); BREP files have no unit")
@@ -165,48 +163,6 @@ inline void print_help(std::ostream& out)
 {
   Mesh_cad_options defaults;
   out << introduction << "\n" << described_options(defaults) << conclusion;
-}
-
-inline std::size_t positive_number(const std::string& option, const std::string& word)
-{
-  const bool is_number = !word.empty() && word.size() < 10 && word.find_first_not_of("0123456789") == std::string::npos;
-  if(!is_number || std::stoul(word) == 0)
-    throw Usage_error("--" + option + ": '" + word + "' must be a whole number, at least 1");
-  return std::stoul(word);
-}
-
-// the numbers in a list like "1,4,7-9"
-inline std::set<std::size_t> numbers_in(const std::string& option, const std::string& list)
-{
-  std::set<std::size_t> result;
-  std::istringstream items(list + ",");
-  for(std::string item; std::getline(items, item, ',');) {
-    const std::size_t dash = item.find('-');
-    const std::size_t first = positive_number(option, item.substr(0, dash)),
-                      last = dash == std::string::npos ? first : positive_number(option, item.substr(dash + 1));
-    if(last < first || last - first > 1000000)
-      throw Usage_error("--" + option + ": '" + item + "' must be a number, or two ascending numbers with a dash between");
-    for(std::size_t i = first; i <= last; ++i)
-      result.insert(i);
-  }
-  return result;
-}
-
-// the lengths in a list like "3:0.5,7:0.25"
-inline std::map<std::size_t, double> sizes_in(const std::string& option, const std::string& list)
-{
-  std::map<std::size_t, double> result;
-  std::istringstream items(list + ",");
-  for(std::string item; std::getline(items, item, ',');) {
-    const std::size_t colon = item.find(':');
-    const std::size_t number = positive_number(option, item.substr(0, colon));
-    std::istringstream length(colon == std::string::npos ? "" : item.substr(colon + 1));
-    double value = 0;
-    if(!(length >> value) || !length.eof() || !(value > 0) || !std::isfinite(value))
-      throw Usage_error("--" + option + ": '" + item + "' must be a number, a colon and a positive length");
-    result[number] = value;
-  }
-  return result;
 }
 
 inline void check_values(const po::variables_map& given, const Mesh_cad_options& o)
@@ -288,14 +244,13 @@ inline Mesh_cad_options read_mesh_cad_options(int argc, char** argv)
     throw Usage_error("no input file is given; --help lists the options");
   check_values(given, o);
   take_defaults_of_fineness(given, o);
-  if(given.count("faces") != 0)
-    o.faces = numbers_in("faces", o.face_list);
-  if(given.count("face-size") != 0)
-    o.max_edge_of_face = sizes_in("face-size", o.face_sizes);
-  if(given.count("edge-size") != 0)
-    o.max_edge_of_edge = sizes_in("edge-size", o.edge_sizes);
+  for(const char* option : {"faces", "face-size", "edge-size"})
+    if(given.count(option) != 0 && given[option].as<std::string>().empty())
+      throw Usage_error(std::string("--") + option + ": the list is empty");
+  for(const std::string& size : o.local_list)
+    o.local_sizes.push_back(local_size_in("local-size", size));
   for(const std::string& sphere : o.sphere_list)
-    o.spheres.add("sphere-size", sphere);
+    o.local_sizes.push_back(sphere_size_in("sphere-size", sphere));
   return o;
 }
 

@@ -299,7 +299,7 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
       << mesh_patch::plural(q.number_of_vertices, "vertex", "vertices") << ", "
       << mesh_patch::plural(q.number_of_faces, "triangle") << ", "
       << (q.is_closed ? "closed" : mesh_patch::plural(q.number_of_boundary_cycles, "border"));
-  if(q.is_closed != result.shape.is_shape_closed && options.faces.empty() && options.part_lists.empty())
+  if(q.is_closed != result.shape.is_shape_closed && options.face_list.empty() && options.part_lists.empty())
     out << (q.is_closed ? ", ALTHOUGH THE SHAPE IS NOT CLOSED" : ", ALTHOUGH THE SHAPE IS CLOSED");
   out << "\n";
   print_shape(out, result);

@@ -31,15 +31,22 @@ namespace mesh_cad {
 
 typedef CGAL::Open_cascade_names_3 Names;
 
-// Parts by a word of the user: the number, from 1, or the path, the name in the assembly or the name of the product.
-inline std::set<std::size_t> parts_called(const Names& names, const std::string& word)
+// Parts by their path, the name in the assembly or the name of the product.
+inline std::set<std::size_t> parts_with_name(const Names& names, const std::string& word)
 {
   std::set<std::size_t> result;
   for(std::size_t p = 0; p < names.parts.size(); ++p) {
     const auto& part = names.parts[p];
-    if(word == part.path || word == part.instance || word == part.name)
+    if(!word.empty() && (word == part.path || word == part.instance || word == part.name))
       result.insert(p);
   }
+  return result;
+}
+
+// The same, or by the number, from 1.
+inline std::set<std::size_t> parts_called(const Names& names, const std::string& word)
+{
+  std::set<std::size_t> result = parts_with_name(names, word);
   const bool is_number = !word.empty() && word.size() < 10 && word.find_first_not_of("0123456789") == std::string::npos;
   if(result.empty() && is_number && std::stoul(word) >= 1 && std::stoul(word) <= names.parts.size())
     result.insert(std::stoul(word) - 1);
@@ -47,21 +54,21 @@ inline std::set<std::size_t> parts_called(const Names& names, const std::string&
 }
 
 // The parts that a list of the user names. Names may contain commas: a list that is a name as a whole is taken for one.
-inline std::set<std::size_t> parts_in(const Names& names, const std::string& list)
+inline std::set<std::size_t> parts_in(const Names& names, const std::string& option, const std::string& list)
 {
-  std::set<std::size_t> result = list.empty() ? std::set<std::size_t>() : parts_called(names, list);
+  std::set<std::size_t> result = parts_called(names, list);
   if(!result.empty())
     return result;
   std::istringstream words(list + ",");
   for(std::string word; std::getline(words, word, ',');) {
     if(word.empty())
-      throw Usage_error("--parts: a name is missing in '" + list + "'");
+      throw Usage_error("--" + option + ": a name is missing in '" + list + "'");
     const auto parts = parts_called(names, word);
     if(parts.empty()) {
       std::string known;
       for(std::size_t p = 0; p < names.parts.size(); ++p)
         known += (p == 0 ? "" : ", ") + std::to_string(p + 1) + " " + names.parts[p].path;
-      throw Usage_error("--parts: there is no part '" + word + "'; the parts are " + known);
+      throw Usage_error("--" + option + ": there is no part '" + word + "'; the parts are " + known);
     }
     result.insert(parts.begin(), parts.end());
   }

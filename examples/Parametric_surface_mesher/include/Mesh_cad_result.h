@@ -8,7 +8,7 @@
 #include "Mesh_cad_contacts.h"
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_parts.h"
-#include "Progress_line.h"
+#include "Mesh_cad_sizes.h"
 #include "Second_order_measures.h"
 #include "Silence.h"
 #include "deciding_bounds.h"
@@ -19,7 +19,6 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Triangle_mesh_quality.h>
-#include <CGAL/make_parametric_surface_mesh.h>
 
 #include <CGAL/IO/read_open_cascade_shape.h>
 #include <CGAL/carry_over_open_cascade_names.h>
@@ -32,10 +31,6 @@
 #include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Shape.hxx>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -94,13 +89,6 @@ double seconds_of(Function function)
   return processor_seconds() - start;
 }
 
-inline void check_numbers(const std::string& option, std::size_t largest, std::size_t number, const std::string& what)
-{
-  if(largest > number)
-    throw Usage_error("--" + option + ": there is no " + what + " " + std::to_string(largest) + ", the shape has "
-                      + mesh_patch::plural(number, what));
-}
-
 // Removes faces that the user does not want. `is_wanted_in_model` is asked with indices of the model, `is_wanted` with those of the shape.
 template <class ModelPredicate, class Predicate>
 void keep_faces(const ModelPredicate& is_wanted_in_model, const Predicate& is_wanted, CGAL::Open_cascade_model_3& shape)
@@ -120,12 +108,12 @@ void keep_faces(const ModelPredicate& is_wanted_in_model, const Predicate& is_wa
   keep_wanted(shape.closed_up);
 }
 
-inline void select_faces(const std::set<std::size_t>& wanted, CGAL::Open_cascade_model_3& shape)
+inline void select_faces(const std::string& list, const Names& names, CGAL::Open_cascade_model_3& shape)
 {
-  if(wanted.empty())
+  if(list.empty())
     return;
-  check_numbers("faces", *wanted.rbegin(), shape.number_of_shape_faces, "face");
-  const auto is_wanted = [&](std::size_t face) { return wanted.count(face + 1) > 0; };
+  const Indices wanted = indices_in(Named_faces(names, shape), "faces", list);
+  const auto is_wanted = [&](std::size_t face) { return wanted.count(face) > 0; };
   keep_faces([&](std::size_t f) { return is_wanted(shape.shape_faces[f]); }, is_wanted, shape);
 }
 
@@ -141,30 +129,6 @@ inline void select_parts(const std::set<std::size_t>& wanted, const Names& names
   if(faces.empty())
     throw Usage_error("--parts: there are no faces in part " + names.parts[*wanted.begin()].path);
   keep_faces([&](std::size_t f) { return is_in(names, parts[f], wanted); }, [&](std::size_t face) { return faces.count(face) > 0; }, shape);
-}
-
-inline void set_sizes(const Mesh_cad_options& options, CGAL::Open_cascade_model_3& shape)
-{
-  if(!options.max_edge_of_face.empty())
-    check_numbers("face-size", options.max_edge_of_face.rbegin()->first, shape.number_of_shape_faces, "face");
-  if(!options.max_edge_of_edge.empty())
-    check_numbers("edge-size", options.max_edge_of_edge.rbegin()->first, shape.number_of_shape_edges, "edge");
-  for(std::size_t f = 0; f < shape.shape_faces.size(); ++f) {
-    const auto found = options.max_edge_of_face.find(shape.shape_faces[f] + 1);
-    if(found != options.max_edge_of_face.end())
-      shape.model.faces()[f].max_edge = found->second;
-  }
-  for(const auto& size : options.max_edge_of_edge)
-    for(const std::size_t e : shape.model_edges[size.first - 1]) {
-      double& max_edge = shape.model.edges()[e].max_edge;
-      max_edge = max_edge > 0 ? (std::min)(max_edge, size.second) : size.second;
-    }
-  if(options.callbacks.size)
-    shape.model.set_sizing_field([spheres = options.spheres, size = options.callbacks.size](const Kernel::Point_3& p) {
-      return (std::min)(spheres(p), size(p.x(), p.y(), p.z()));
-    });
-  else if(!options.spheres.is_empty())
-    shape.model.set_sizing_field(options.spheres);
 }
 
 inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_options& o, double diagonal)
@@ -184,25 +148,6 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_optio
   if(!o.is_detail_kept)
     criteria.set_detail(o.detail > 0 ? o.detail : share_of_detail * *criteria.distance());
   return criteria;
-}
-
-// `unit`: in millimetres, that of the message
-inline void check_size(const char* option, double length, const CGAL::Parametric_surface_mesh_criteria& criteria, double unit)
-{
-  if(length >= criteria.min_edge())
-    return;
-  std::ostringstream message;
-  message << option << ": the length " << length / unit << " is below that of --min-edge, " << criteria.min_edge() / unit;
-  throw Usage_error(message.str());
-}
-
-inline void check_sizes(const Mesh_cad_options& options, const CGAL::Parametric_surface_mesh_criteria& criteria, double unit)
-{
-  check_size("--sphere-size", options.spheres.smallest_length(), criteria, unit);
-  for(const auto& size : options.max_edge_of_face)
-    check_size("--face-size", size.second, criteria, unit);
-  for(const auto& size : options.max_edge_of_edge)
-    check_size("--edge-size", size.second, criteria, unit);
 }
 
 // Of the box of a shape; 0 if that is empty or has no end.
@@ -285,7 +230,6 @@ inline void note_closed_up_faces(Mesh_cad_result& result)
 
 inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
 {
-  namespace parameters = CGAL::parameters;
   if(result.shape.model.faces().empty()) {
     if(!result.shape.closed_up.empty() && result.left_out.empty())
       throw Usage_error("no face is left to mesh; face " + closed_up_text(result.shape.closed_up.front()));
@@ -294,17 +238,7 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
     throw Usage_error("no face can be meshed; face " + std::to_string(result.left_out.front().shape_face + 1) + ": "
                       + result.left_out.front().reason);
   }
-  Progress_line progress(options.is_quiet, options.callbacks);
-  const auto np = result.mesh.places(parameters::leaves_out_bad_faces(true).visitor(std::ref(progress)));
-#ifdef CGAL_LINKED_WITH_TBB
-  if(options.threads > 1) {
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, options.threads);
-    result.report
-      = CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(result.shape.model, result.criteria, result.mesh.mesh, np);
-  }
-  else
-#endif
-    result.report = CGAL::make_parametric_surface_mesh(result.shape.model, result.criteria, result.mesh.mesh, np);
+  result.report = mesh_model(options, result.shape.model, result.criteria, result.mesh);
   for(const auto& face : result.report.left_out)
     result.left_out.push_back({result.shape.shape_faces[face.face], face.reason});
   note_closed_up_faces(result);
@@ -349,18 +283,18 @@ inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& res
     throw Usage_error("no face could be read from " + options.input);
   std::set<std::size_t> wanted_parts;
   for(const std::string& list : options.part_lists) {
-    const auto parts = parts_in(result.names, list);
+    const auto parts = parts_in(result.names, "parts", list);
     wanted_parts.insert(parts.begin(), parts.end());
   }
   result.model_seconds = seconds_of([&] {
     result.shape = CGAL::make_model_of_open_cascade_shape(shape);
+    result.criteria = make_criteria(options, result.shape.diagonal);
+    const Sizes sizes = make_sizes(options, unit, result.names, result.shape, result.criteria); // near faces that are not meshed, too
     select_parts(wanted_parts, result.names, result.shape);
-    select_faces(options.faces, result.shape);
-    set_sizes(options, result.shape);
+    select_faces(options.face_list, result.names, result.shape);
+    set_sizes(sizes, result.shape);
   });
   result.left_out = result.shape.left_out;
-  result.criteria = make_criteria(options, result.shape.diagonal);
-  check_sizes(options, result.criteria, unit);
   result.meshing_seconds = seconds_of([&] { make_mesh(options, result); });
   result.intersections_seconds = (std::min)(result.report.seconds.intersections, result.meshing_seconds);
   result.meshing_seconds -= result.intersections_seconds; // to look at the finished mesh is measuring

@@ -33,10 +33,8 @@ inline void scale_lengths(double factor, Mesh_cad_options& options)
 {
   for(double* length : {&options.max_edge, &options.min_edge, &options.distance, &options.detail, &options.sewing_tolerance, &options.fuzzy})
     *length *= factor;
-  for(auto* sizes : {&options.max_edge_of_face, &options.max_edge_of_edge})
-    for(auto& size : *sizes)
-      size.second *= factor;
-  options.spheres.scale(factor);
+  for(Local_size& size : options.local_sizes)
+    scale(factor, size);
   if(options.callbacks.size)
     options.callbacks.size = [size = options.callbacks.size, factor](double x, double y, double z) {
       return factor * size(x / factor, y / factor, z / factor);

@@ -25,7 +25,7 @@ const double largest_share_of_distance = 1.5;
 // Whether the mesh is one of all that the file has, and of what was asked for.
 bool is_whole(const Mesh_cad_options& options, const Mesh_cad_result& result)
 {
-  const bool is_part_wanted = !options.faces.empty() || !options.part_lists.empty();
+  const bool is_part_wanted = !options.face_list.empty() || !options.part_lists.empty();
   return result.left_out.empty() && result.file_faults.empty() && result.number_of_lost_faces == 0
          && (is_part_wanted || result.quality.is_closed || !result.shape.is_shape_closed) && !mesh_cad::intersects_itself(result)
          && !(mesh_cad::share_of_allowed_distance(result) > largest_share_of_distance);
