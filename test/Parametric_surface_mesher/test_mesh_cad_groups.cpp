@@ -105,10 +105,10 @@ TEST_F(Mesh_cad_groups, meshes_faces_with_names)
 TEST_F(Mesh_cad_groups, names_stand_for_faces_and_edges_in_sizes)
 {
   const auto triangles = [this](const std::string& options) { return json("bridge.step --quiet --max-edge 2 " + options)["triangles"].get<int>(); };
-  const int plain = triangles(""), top = triangles("--face-size top:0.5"), pin = triangles("--face-size 'pin, the only one:0.2'");
+  const int plain = triangles(""), top = triangles("--face-size top:0.5"), pin = triangles("--face-size 'pin, the only one:0.05'");
   EXPECT_GT(top, plain + 1000); // two faces of 10 x 10
   EXPECT_GT(pin, plain);
-  EXPECT_GT(triangles("--face-size top:0.5,pin:0.2"), (std::max)(top, pin));
+  EXPECT_GT(triangles("--face-size top:0.5,pin:0.05"), (std::max)(top, pin));
   EXPECT_GT(triangles("--edge-size top:0.5"), plain);
   EXPECT_GT(triangles("--edge-size 'left plate:0.5'"), plain);
   expect_refused("bridge.step --face-size bottom:0.5", "there is no face 'bottom'");

@@ -1,10 +1,13 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sizing fields in space.
+// Sizing fields in space, and files with values at nodes.
+#include <CGAL/Element_mesh_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Graded_sizing_field_3.h>
 #include <CGAL/Interpolated_sizing_field_3.h>
+#include <CGAL/IO/read_node_values.h>
+#include <CGAL/IO/write_element_VTU.h>
 #include <CGAL/Least_sizing_field_3.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 
@@ -14,9 +17,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
+
+#include <unistd.h>
 
 namespace {
 
@@ -195,6 +203,156 @@ TEST(Sizing_fields, refuse_meshes_without_lengths)
   EXPECT_THROW(Interpolated{mesh}, Error);
   mesh.triangles[0][2] = 1;
   EXPECT_THROW(Interpolated{mesh}, Error); // no area
+}
+
+
+// Files in a directory that goes away with the test.
+class Node_value_files : public testing::Test
+{
+  const std::filesystem::path m_directory
+    = std::filesystem::temp_directory_path()
+      / (std::string("node_values_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" + std::to_string(getpid()));
+
+protected:
+  void SetUp() override { std::filesystem::create_directories(m_directory); }
+  void TearDown() override { std::filesystem::remove_all(m_directory); }
+
+  std::string file(const std::string& name) const { return (m_directory / name).string(); }
+
+  std::string write(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(file(name), std::ios::binary) << text;
+    return file(name);
+  }
+
+  // Of a unit square in two triangles, with the values 1, 2, 3 and 4.
+  static void expect_square(const CGAL::Node_values_3& mesh)
+  {
+    EXPECT_EQ(mesh.nodes.size(), 4u);
+    EXPECT_EQ(mesh.triangles.size(), 2u);
+    EXPECT_TRUE(mesh.tetrahedra.empty());
+    const Interpolated field(mesh);
+    EXPECT_DOUBLE_EQ(field(Point_3(0, 0, 0)), 1);
+    EXPECT_DOUBLE_EQ(field(Point_3(1, 0, 0)), 2);
+    EXPECT_DOUBLE_EQ(field(Point_3(1, 1, 0)), 3);
+    EXPECT_DOUBLE_EQ(field(Point_3(0, 1, 0)), 4);
+    EXPECT_DOUBLE_EQ(field(Point_3(0.5, 0, 1)), 1.5);
+  }
+
+  // Refused by one sentence that contains `hint`.
+  void expect_refused(const std::string& file_name, const std::string& hint, const std::string& name = "") const
+  {
+    try {
+      CGAL::IO::read_node_values(file_name, name);
+      ADD_FAILURE() << file_name << " is read";
+    }
+    catch(const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(hint), std::string::npos) << error.what();
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
+};
+
+const char* const msh_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n30 1 1 0\n4 0 1 0\n5 9 9 9\n$EndNodes\n"
+                          "$Elements\n3\n1 15 2 0 1 1\n2 2 2 0 -7 1 2 30\n3 2 2 0 1 1 30 4\n$EndElements\n";
+const char* const msh_4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 1 0\n7 0 0 0 1 1 0 0 0\n$EndEntities\n"
+                          "$Nodes\n2 5 1 30\n2 7 1 3\n1\n2\n30\n0 0 0 0.5 0.5\n1 0 0 0.5 0.5\n1 1 0 0.5 0.5\n2 7 0 2\n4\n5\n0 1 0\n9 9 9\n$EndNodes\n"
+                          "$Elements\n1 2 1 2\n2 7 2 2\n1 1 2 30\n2 1 30 4\n$EndElements\n";
+const char* const size_data = "$NodeData\n1\n\"size\"\n1\n0.0\n3\n0\n1\n4\n1 1\n2 2\n30 3\n4 4\n$EndNodeData\n";
+const char* const other_data = "$NodeData\n1\n\"stress\"\n1\n0.0\n3\n0\n1\n1\n1 7\n$EndNodeData\n";
+
+TEST_F(Node_value_files, of_gmsh)
+{
+  for(const std::string mesh : {msh_2, msh_4}) {
+    expect_square(CGAL::IO::read_node_values(write("one.msh", mesh + size_data)));
+    expect_square(CGAL::IO::read_node_values(write("two.msh", mesh + other_data + size_data), "size"));
+    expect_refused(file("two.msh"), "several kinds of values at the nodes, and one of them must be chosen: 'stress', 'size'");
+    expect_refused(file("two.msh"), "no values 'strain'", "strain");
+    expect_refused(write("no_data.msh", mesh), "no scalar values");
+    expect_refused(write("cut.msh", mesh.substr(0, mesh.size() - 30)), "ends too early");
+    EXPECT_THROW(Interpolated{CGAL::IO::read_node_values(write("few.msh", mesh + other_data))}, Error); // three nodes are without a value
+  }
+  expect_refused(write("old.msh", "$MeshFormat\n4.0 0 8\n$EndMeshFormat\n"), "its version is 4.0");
+  expect_refused(write("binary.msh", "$MeshFormat\n4.1 1 8\n"), "binary");
+  expect_refused(write("hexahedron.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Elements\n1\n1 5 0 1 2 3 4 5 6 7 8\n"), "elements of type 5");
+  expect_refused(file("nowhere.msh"), "cannot be opened");
+  expect_refused(file("nowhere.xyz"), "must end in");
+}
+
+TEST_F(Node_value_files, of_medit)
+{
+  const std::string mesh = "MeshVersionFormatted 2\n\nDimension 3\nVertices\n5\n0 0 0 1\n1 0 0 1\n# a comment\n1 1 0 -1\n0 1 0 0\n7 7 7 0\nEdges 1\n1 2 0\n"
+                           "Triangles\n2\n1 2 3 5\n1 3 4 -5\nRequiredVertices 1\n1\nEnd\n",
+                    values = "MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n5\n1 1\n1\n2\n3\n4\n0\nEnd\n";
+  write("square.mesh", mesh);
+  write("square.sol", values);
+  expect_square(CGAL::IO::read_node_values(file("square.mesh")));
+  expect_square(CGAL::IO::read_node_values(file("square.sol")));
+  expect_refused(file("square.mesh"), "no names", "size");
+  expect_refused(write("alone.mesh", mesh), "alone.sol: the file cannot be opened");
+  write("square.sol", "Dimension 3\nSolAtVertices 5\n1 3\n1 0 0 0 0 1\n");
+  expect_refused(file("square.mesh"), "metric tensors are not read");
+  write("square.sol", "Dimension 3\nSolAtVertices 2\n1 1\n1 2\n");
+  expect_refused(file("square.mesh"), "2 values for 5 nodes");
+  write("square.sol", "Dimension 3\nSolAtVertices 5\n1 1\n1 2\n");
+  expect_refused(file("square.mesh"), "ends too early");
+  write("hexahedron.mesh", "Dimension 3\nHexahedra 1\n1 2 3 4 5 6 7 8 0\n");
+  expect_refused(file("hexahedron.mesh"), "the kind Hexahedra");
+}
+
+// The rest of a file of VTK with the square, its arrays in text.
+std::string vtu_text(const std::string& attributes, const std::string& values, const std::string& types = "5 5")
+{
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\"" + attributes
+         + "><!-- a comment --><UnstructuredGrid><Piece NumberOfPoints=\"4\" NumberOfCells=\"2\">\n<PointData>" + values + "</PointData>\n"
+           "<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0\n1 1 0 0 1 0</DataArray></Points>\n"
+           "<Cells><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 0 2 3</DataArray>\n"
+           "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3 6</DataArray>\n"
+           "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">" + types + "</DataArray></Cells></Piece></UnstructuredGrid>";
+}
+
+TEST_F(Node_value_files, of_vtk)
+{
+  const std::string size = "<DataArray type=\"Float32\" Name=\"size\" format=\"ascii\">1 2 3 4</DataArray>",
+                    vectors = "<DataArray type=\"Float32\" Name=\"v\" NumberOfComponents=\"3\" format=\"ascii\">1 2 3 4 5 6 7 8 9 10 11 12</DataArray>",
+                    end = "</VTKFile>\n";
+  expect_square(CGAL::IO::read_node_values(write("text.vtu", vtu_text("", vectors + size) + end)));
+  // 16 bytes, header and numbers in one piece of base64, and each in its own
+  const std::string one_piece = "EAAAAAAAgD8AAABAAABAQAAAgEA=", two_pieces = "EAAAAA==AACAPwAAAEAAAEBAAACAQA==";
+  for(const std::string& base64 : {one_piece, two_pieces})
+    expect_square(CGAL::IO::read_node_values(
+      write("binary.vtu", vtu_text("", "<DataArray type=\"Float32\" Name=\"size\" format=\"binary\">\n  " + base64 + "\n</DataArray>") + end)));
+  const std::string appended = "<DataArray type=\"Float32\" Name=\"size\" format=\"appended\" offset=\"0\"/>";
+  expect_square(CGAL::IO::read_node_values(
+    write("base64.vtu", vtu_text("", appended) + "<AppendedData encoding=\"base64\">\n_" + two_pieces + "\n</AppendedData>" + end)));
+  const std::string big_endian("\0\0\0\x10\x3f\x80\0\0\x40\0\0\0\x40\x40\0\0\x40\x80\0\0", 20);
+  expect_square(CGAL::IO::read_node_values(
+    write("raw.vtu", vtu_text(" byte_order=\"BigEndian\"", appended) + "<AppendedData encoding=\"raw\">_" + big_endian + "</AppendedData>" + end)));
+  expect_refused(write("short.vtu", vtu_text("", appended) + "<AppendedData encoding=\"base64\">\n_" + two_pieces.substr(0, 16) + "\n</AppendedData>" + end),
+                 "end too early");
+  expect_refused(write("two.vtu", vtu_text("", size + "<DataArray type=\"Float32\" Name=\"error\" format=\"ascii\">1 2 3 4</DataArray>") + end), "'size', 'error'");
+  expect_refused(write("vectors.vtu", vtu_text("", vectors) + end), "no scalar values");
+  expect_refused(write("hexahedra.vtu", vtu_text("", size, "12 12") + end), "elements of type 12");
+  expect_refused(write("few.vtu", vtu_text("", "<DataArray type=\"Float32\" Name=\"size\" format=\"ascii\">1 2 3</DataArray>") + end), "3 values for 4 nodes");
+  expect_refused(write("lz4.vtu", vtu_text(" compressor=\"vtkLZ4DataCompressor\"", appended) + "<AppendedData encoding=\"raw\">_" + big_endian), "compressed");
+  expect_refused(write("other.vtu", "<VTKFile type=\"PolyData\"></VTKFile>"), "no unstructured grid");
+  expect_refused(write("garbage.vtu", "garbage"), "no XML");
+}
+
+// As this package writes it: 64 bits, appended, and compressed if Boost.Iostreams is there.
+TEST_F(Node_value_files, of_vtk_written_here)
+{
+  CGAL::Element_mesh_3 mesh;
+  mesh.nodes = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}};
+  mesh.triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
+  mesh.surfaces.resize(1);
+  mesh.triangle_surfaces = {0, 0};
+  mesh.node_data.push_back({"size", 1, {1, 2, 3, 4}});
+  {
+    std::ofstream out(file("square.vtu"), std::ios::binary);
+    CGAL::IO::write_VTU(out, mesh);
+  }
+  expect_square(CGAL::IO::read_node_values(file("square.vtu")));
 }
 
 } // namespace

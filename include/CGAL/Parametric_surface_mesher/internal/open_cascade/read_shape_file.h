@@ -19,6 +19,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Text_archive.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/exchange_file_faults.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/names_of_exchange_file.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/ending_of.h>
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -29,7 +30,6 @@
 #include <TopoDS_Shape.hxx>
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
@@ -52,15 +52,6 @@ struct Shape_of_file
   std::vector<std::string> faults;
   Open_cascade_names_3 names;
 };
-
-// The part of a file name after its last dot, in small letters.
-inline std::string ending_of(const std::string& file_name)
-{
-  const std::size_t dot = file_name.find_last_of("./");
-  std::string result = dot == std::string::npos || file_name[dot] == '/' ? "" : file_name.substr(dot + 1);
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return result;
-}
 
 // A file name without folders and ending.
 inline std::string stem_of(const std::string& file_name)
