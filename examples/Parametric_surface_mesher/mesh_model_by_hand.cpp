@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A tin, built from vertices, edges and faces: a side that closes on itself along a seam, and two round lids. Its mesh is
-// closed.
+// closed. On the upper lid it follows a line, and has a vertex at a point with short edges around it.
 #include <CGAL/Any_parametric_surface_3.h>
 #include <CGAL/Parametric_function_surface_3.h>
 #include <CGAL/Parametric_primitive_surfaces_3.h>
@@ -60,18 +60,26 @@ int main()
     return std::make_pair(cos(turn * t), sin(turn * t));
   }, 0, 1);
   model.add_face({lid(0), {{{bottom, false, circle}}}});
-  model.add_face({lid(tin_height), {{{top, false, circle}}}});
+  const std::size_t upper_lid = model.add_face({lid(tin_height), {{{top, false, circle}}}});
+  // A line inside the upper lid, from its centre to a vertex of the boundary, and a point.
+  const std::size_t center = model.add_vertex({0, 0, tin_height}), line = model.add_edge(center, above);
+  model.add_inner_edge(upper_lid, line, Curve::segment({0, 0}, {1, 0}));
+  model.add_inner_point(upper_lid, model.add_vertex({-0.5, 0, tin_height}), {-0.5, 0}, 0.02);
   CGAL::Parametric_surface_mesher::orient_faces(model); // the lower lid is turned over: a closed model faces outward
 
   Mesh mesh;
   const auto patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
+  const auto places = mesh.add_property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place>("e:place").first;
   const auto report = CGAL::make_parametric_surface_mesh(
-    model, CGAL::Parametric_surface_mesh_criteria().set_max_edge(0.1), mesh, CGAL::parameters::face_patch_id_map(patch));
+    model, CGAL::Parametric_surface_mesh_criteria().set_max_edge(0.1), mesh,
+    CGAL::parameters::face_patch_id_map(patch, CGAL::parameters::edge_place_map(places)));
 
-  std::size_t on_lids = 0;
+  std::size_t on_lids = 0, on_line = 0;
   for(const auto face : mesh.faces())
     on_lids += patch[face] > 0;
-  std::cout << report.number_of_faces << " triangles, " << on_lids << " of them on the lids; smallest angle "
-            << report.smallest_angle << " degrees; " << (CGAL::is_closed(mesh) ? "closed" : "open") << "\n";
-  return CGAL::is_closed(mesh) && report.unmet.empty() ? 0 : 1;
+  for(const auto edge : mesh.edges())
+    on_line += places[edge].index == line;
+  std::cout << report.number_of_faces << " triangles, " << on_lids << " of them on the lids; " << on_line
+            << " edges on the line; smallest angle " << report.smallest_angle << " degrees; " << (CGAL::is_closed(mesh) ? "closed" : "open") << "\n";
+  return CGAL::is_closed(mesh) && on_line >= 10 && report.unmet.empty() ? 0 : 1;
 }

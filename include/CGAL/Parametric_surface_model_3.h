@@ -38,6 +38,9 @@ it get the same points: their meshes fit without a crack.
 - An edge may be *collapsed*: both ends are one vertex and the curve is that point (a pole of the parametrisation).
 - An edge may be used by three or more faces, or by several shells: see `Face::shell`.
 - Loops of a face may touch in a common vertex.
+- An edge may lie inside a face: see `add_inner_edge()`. The mesh follows it, with triangles of the face on both sides. It may dangle,
+  touch other edges in common vertices, close on itself, and be used by other faces, too.
+- A vertex may lie inside a face: see `add_inner_point()`.
 
 Meshing begins with `Parametric_surface_mesher::validate()`: loops must close, and the uses of an edge be the
 same curve in space within the `tolerance()`.
@@ -83,11 +86,20 @@ public:
 
   typedef std::vector<Edge_use> Loop;
 
+  /// a vertex inside a face.
+  struct Inner_point
+  {
+    std::size_t vertex;                      ///< the vertex
+    typename Geom_traits::Point_2 parameters; ///< its place in the domain of the face
+    double max_edge = 0; ///< the wanted edge length there, if that is less than elsewhere; 0 if it has no own one
+  };
+
   /// a trimmed surface.
   struct Face
   {
     Surface surface;
-    std::vector<Loop> loops;  ///< the outer one first
+    /// The outer one first, then holes, and loops inside the domain: of two uses, there and back, of an edge that the mesh is to follow.
+    std::vector<Loop> loops;
     bool is_reversed = false; ///< whether the triangles are to face against `S_u x S_v`
     /// Faces of one shell are joined along an edge that two of them use; those of different shells are not, and an edge
     /// with three or more uses in one shell is a border of each of its faces. So the mesh of a shell is always manifold.
@@ -102,6 +114,7 @@ public:
     double min_edge = 0; ///< the minimum edge length, if that is less than the criteria's; 0 if the face has no own one
     /// wanted edge lengths at the parameters `(u,v)`, if there is such a field, in place of that of the criteria
     std::function<double(double u, double v)> sizing_field = nullptr;
+    std::vector<Inner_point> inner_points = {}; ///< what is to be a vertex of the mesh
   };
 
 private:
@@ -144,6 +157,26 @@ public:
   {
     m_faces.push_back(std::move(face));
     return m_faces.size() - 1;
+  }
+
+  /// Makes an edge lie inside a face: adds a loop that runs along it and back again. The mesh follows it as it follows the boundary. It must
+  /// not cross other edges but in common vertices. An edge that ends on the boundary does so in a vertex of that.
+  /// \param curve the edge in the domain of the face
+  /// \throws Parametric_surface_mesh_error if there is no such face
+  void add_inner_edge(std::size_t face, std::size_t edge, const Curve& curve)
+  {
+    check_face(face);
+    m_faces[face].loops.push_back({{edge, false, curve}, {edge, true, curve}});
+  }
+
+  /// Makes a vertex lie inside a face: the mesh has it. It must not lie on an edge.
+  /// \param parameters the place of the vertex in the domain of the face
+  /// \param max_edge the wanted edge length around it; edges grow with the distance from it. 0 if it is to be as elsewhere
+  /// \throws Parametric_surface_mesh_error if there is no such face
+  void add_inner_point(std::size_t face, std::size_t vertex, const typename Geom_traits::Point_2& parameters, double max_edge = 0)
+  {
+    check_face(face);
+    m_faces[face].inner_points.push_back({vertex, parameters, max_edge});
   }
   /// @}
 
@@ -220,6 +253,13 @@ public:
   /// @}
 
 private:
+  void check_face(std::size_t face) const
+  {
+    if(face >= m_faces.size())
+      throw Parametric_surface_mesh_error("there is no face with index " + std::to_string(face) + ", only "
+                                          + std::to_string(m_faces.size()) + " faces");
+  }
+
   void check_vertices(const Edge& edge, std::size_t number) const
   {
     using Parametric_surface_mesher::internal::numbered;

@@ -85,6 +85,8 @@ public:
         check_length("wanted edge length", m_model.faces()[f].max_edge, numbered("face", f));
         for(std::size_t l = 0; l < number_of_loops(f); ++l)
           check_loop(f, l);
+        for(const auto& point : m_model.faces()[f].inner_points)
+          check_inner_point(f, point);
         check_other_side(f, faces_with_other_side);
       });
   }
@@ -103,6 +105,9 @@ public:
     for(std::size_t f = 0; f < m_model.faces().size(); ++f)
       check_face(f, leave_out, [&] { box += boundary_box(m_model, f); });
     m_tolerance = m_model.tolerance() > 0 ? m_model.tolerance() : 1e-6 * diagonal(box);
+    for(std::size_t f = 0; f < m_model.faces().size(); ++f)
+      if(!m_model.faces()[f].loops.empty())
+        check_face(f, leave_out, [&] { check_places_of_inner_points(f); });
     const std::vector<std::size_t> order = uses.order();
     std::vector<std::size_t> places(m_model.edges().size()); // of the edges in the order
     for(std::size_t i = 0; i < order.size(); ++i)
@@ -194,7 +199,28 @@ private:
       check_joint(loop[i], loop[(i + 1) % loop.size()], place, tolerance);
   }
 
-  // One use ends where the next one begins, at the same vertex and in the domain.
+  void check_inner_point(std::size_t f, const typename Model::Inner_point& point) const
+  {
+    const std::string place = numbered("face", f) + ": the inner point at (u,v) = " + describe(point.parameters);
+    if(point.vertex >= m_model.vertices().size())
+      throw Parametric_surface_mesh_error(place + " is no vertex: there is none with index " + std::to_string(point.vertex));
+    if(!std::isfinite(point.parameters.x()) || !std::isfinite(point.parameters.y()))
+      throw Parametric_surface_mesh_error(place + " is not finite");
+    check_length("wanted edge length", point.max_edge, place);
+  }
+
+  void check_places_of_inner_points(std::size_t f) const
+  {
+    for(const auto& point : m_model.faces()[f].inner_points) {
+      Gap gap;
+      gap.add(m_model.faces()[f].surface.point(point.parameters.x(), point.parameters.y()), m_model.vertices()[point.vertex], "");
+      if(!(gap.distance <= m_tolerance))
+        throw Parametric_surface_mesh_error(numbered("face", f) + ": the inner point at (u,v) = " + describe(point.parameters) + " is "
+                                            + describe(gap.distance) + " away from " + numbered("vertex", point.vertex)
+                                            + "; the tolerance is " + describe(m_tolerance));
+    }
+  }
+
   // `fronts`: takes the faces that have an other side
   void check_other_side(std::size_t f, std::set<std::size_t>& fronts) const
   {
@@ -224,6 +250,7 @@ private:
     });
   }
 
+  // One use ends where the next one begins, at the same vertex and in the domain.
   void check_joint(const Edge_use& use, const Edge_use& next, const std::string& place, double tolerance) const
   {
     const std::size_t end = end_vertex(use, !use.is_reversed), begin = end_vertex(next, next.is_reversed);

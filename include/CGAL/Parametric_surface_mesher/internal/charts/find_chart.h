@@ -53,8 +53,12 @@ public:
     std::vector<Collapsed_side> sides;
     for(const auto& loop : m_loops)
       for(std::size_t i = 0; i < loop.size(); ++i)
-        if(loop[i].index == loop[(i + 1) % loop.size()].index)
-          sides.push_back(side(loop[i].domain_point, loop[(i + 1) % loop.size()].domain_point));
+        if(is_collapsed_side(loop, i) && !goes_on_before(loop, i)) {
+          std::size_t last = i;
+          while(last + 1 < i + loop.size() && goes_on_before(loop, last + 1))
+            ++last;
+          sides.push_back(side(loop[i].domain_point, loop[(last + 1) % loop.size()].domain_point));
+        }
     for(const Collapsed_side& side : sides)
       if(!(side.extent > 0) || !(side.angle > least_angle) || !fits(side))
         return Chart();
@@ -70,6 +74,16 @@ public:
   }
 
 private:
+  // Whether segment `i` of a loop continues a collapsed side before it, from which an edge inside the patch goes out.
+  static bool goes_on_before(const std::vector<Boundary_vertex<Kernel>>& loop, std::size_t i)
+  {
+    const std::size_t n = loop.size();
+    if(!is_collapsed_side(loop, (i + n - 1) % n) || !is_collapsed_side(loop, i % n))
+      return false;
+    const Point_2 &p = loop[(i + n - 1) % n].domain_point, &q = loop[i % n].domain_point, &r = loop[(i + 1) % n].domain_point;
+    return (p.y() == q.y() && q.y() == r.y()) || (p.x() == q.x() && q.x() == r.x());
+  }
+
   // The side from `p` to `q`. Its extent is 0 if it is not on the border of the domain's bounding box.
   Collapsed_side side(const Point_2& p, const Point_2& q) const
   {
@@ -122,7 +136,7 @@ Boundary_loops<Kernel> without_collapsed_sides(const Boundary_loops<Kernel>& loo
   for(const auto& loop : loops) {
     result.emplace_back();
     for(std::size_t i = 0; i < loop.size(); ++i)
-      if(loop[i].index != loop[(i + 1) % loop.size()].index)
+      if(!is_collapsed_side(loop, i))
         result.back().push_back(loop[i]);
   }
   return result;

@@ -170,7 +170,7 @@ private:
       m_places.push_back(place);
       const auto& point = is_own ? part.points[v - Part::first_own_point] : m_mesh.points[n];
       const auto moved = moves.find(point);
-      vertices[n] = m_complex.add_vertex({point, place.dimension, place.entity, levels[n] > width_of_free_part,
+      vertices[n] = m_complex.add_vertex({point, place.dimension, place.entity, levels[n] > width_of_free_part || place.is_inside_face,
                                           moved != moves.end() ? moved->second : Displacement()});
       m_numbers.push_back(n);
       m_owners.push_back(is_own ? p : Index(none));

@@ -131,13 +131,12 @@ private:
     check.check_segments();
     const auto crossings = check.crossings();
     for(const auto& crossing : crossings) {
-      const Piece a = piece(face, crossing.first), b = piece(face, crossing.second);
-      const bool can_split_a = !is_straight(face, a.edge) && m_division.can_be_split(a),
-                 can_split_b = !is_straight(face, b.edge) && m_division.can_be_split(b);
-      if(!can_split_a && !can_split_b)
+      bool is_any_halved = false;
+      for(const Segment_id& segment : {crossing.first, crossing.second})
+        is_any_halved |= !is_single_point(loops[segment.first]) && !is_straight(face, piece(face, segment).edge)
+                         && insert_if_possible(piece(face, segment), pieces);
+      if(!is_any_halved)
         throw Parametric_surface_mesh_error(check.describe_crossing(crossing));
-      insert_if(can_split_a, a, pieces);
-      insert_if(can_split_b, b, pieces);
     }
     if(crossings.empty()) {
       const Misplaced_holes<Oracle> collect_at_misplaced_holes(m_division, face, loops);
@@ -156,19 +155,22 @@ private:
     const Check check(charted_loops);
     check.check_segments();
     for(const auto& crossing : check.crossings()) {
-      const Piece a = piece(face, segment_in_domain(loops, crossing.first)),
-                  b = piece(face, segment_in_domain(loops, crossing.second));
-      if(!m_division.can_be_split(a) && !m_division.can_be_split(b))
+      bool is_any_halved = false;
+      for(const Segment_id& segment : {crossing.first, crossing.second})
+        is_any_halved |= !is_single_point(loops[segment.first])
+                         && insert_if_possible(piece(face, segment_in_domain(loops, segment)), pieces);
+      if(!is_any_halved)
         throw Parametric_surface_mesh_error("around a pole, in polar coordinates, " + check.describe_crossing(crossing));
-      insert_if(m_division.can_be_split(a), a, pieces);
-      insert_if(m_division.can_be_split(b), b, pieces);
     }
   }
 
-  static void insert_if(bool is_wanted, const Piece& piece, std::set<Piece>& pieces)
+  // Returns whether the piece can be halved.
+  bool insert_if_possible(const Piece& piece, std::set<Piece>& pieces) const
   {
-    if(is_wanted)
-      pieces.insert(piece);
+    if(!m_division.can_be_split(piece))
+      return false;
+    pieces.insert(piece);
+    return true;
   }
 
   Piece piece(std::size_t face, const Segment_id& segment) const
@@ -191,7 +193,7 @@ private:
     const auto& loop = loops[in_chart.first];
     std::size_t left = in_chart.second, i = 0;
     for(;; ++i)
-      if(loop[i].index != loop[(i + 1) % loop.size()].index && left-- == 0)
+      if(!is_collapsed_side(loop, i) && left-- == 0)
         return {in_chart.first, i};
   }
 };

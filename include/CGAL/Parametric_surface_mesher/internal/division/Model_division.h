@@ -11,10 +11,12 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/charts/Pointed_apex.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/Corners_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Edge_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Point_numbering.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Model_uses.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/inner_elements.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/least_numbers_of_pieces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
@@ -24,7 +26,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -157,6 +158,8 @@ public:
     std::vector<bool> is_used(m_model.vertices().size(), false);
     for(std::size_t e : uses().order())
       is_used[m_model.edges()[e].source] = is_used[m_model.edges()[e].target] = true;
+    for(std::size_t v : inner_points())
+      is_used[v] = true;
     for(std::size_t v = 0; v < is_used.size(); ++v)
       if(is_used[v])
         m_numbering.add_vertex(v);
@@ -175,7 +178,12 @@ public:
     }
     for(std::size_t e : uses().order())
       m_numbering.add_vertex(m_model.edges()[e].target);
+    for(std::size_t v : inner_points())
+      m_numbering.add_vertex(v);
   }
+
+  // The vertices inside faces that are not left out.
+  std::vector<std::size_t> inner_points() const { return internal::inner_points(m_model, m_bad_faces); }
 
   // Whether a piece may be halved: not if it is too short already, or if the number of pieces is prescribed.
   bool can_be_split(const Piece& piece) const
@@ -266,18 +274,19 @@ public:
   Boundary_loops<Kernel> boundary_loops(std::size_t face) const
   {
     Boundary_loops<Kernel> result;
-    std::map<std::size_t, Domain_points> corners; // the domain points of each vertex
     const double rounding = 1e-9; // of points at the ends of curves, relative to the domain
-    const double tolerance = rounding * (m_divider.box(face).x_span() + m_divider.box(face).y_span());
+    Corners_of_face<Kernel> corners(rounding * (m_divider.box(face).x_span() + m_divider.box(face).y_span()));
     for(const auto& loop : m_model.faces()[face].loops) {
       result.emplace_back();
       result.back().reserve(number_of_segments(loop));
       for(const Edge_use& use : loop) {
         const std::size_t first = result.back().size();
         append(use, result.back());
-        snap(result.back()[first], corners[result.back()[first].index], tolerance);
+        corners.snap(result.back()[first]);
       }
     }
+    for(const auto& point : m_model.faces()[face].inner_points)
+      result.push_back({2, {point.parameters, m_model.vertices()[point.vertex], m_numbering.vertex(point.vertex)}});
     return result;
   }
 
@@ -373,17 +382,6 @@ private:
   {
     return std::accumulate(loop.begin(), loop.end(), std::size_t(0),
                            [this](std::size_t n, const Edge_use& use) { return n + number_of_pieces(use.edge); });
-  }
-
-  // Makes loops that touch in a vertex have exactly the same point there.
-  static void snap(Boundary_vertex<Kernel>& vertex, Domain_points& corners, double tolerance)
-  {
-    for(const auto& corner : corners)
-      if(squared_distance(corner, vertex.domain_point) <= tolerance * tolerance) {
-        vertex.domain_point = corner;
-        return;
-      }
-    corners.push_back(vertex.domain_point);
   }
 };
 

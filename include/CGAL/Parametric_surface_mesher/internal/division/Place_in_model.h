@@ -8,6 +8,8 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_PLACE_IN_MODEL_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DIVISION_PLACE_IN_MODEL_H
 
+#include <CGAL/Parametric_surface_mesher/internal/model/inner_elements.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -23,6 +25,7 @@ struct Place_in_model
   int dimension = 2;         // 0 for a vertex, 1 for an edge, 2 for a face
   std::size_t entity = none; // the index of the vertex, edge or face, if it is known
   std::size_t number = none; // on an edge: the number of the point among those of its division
+  bool is_inside_face = false; // whether it is a point of an edge inside a face, or such a vertex: curing leaves these as they are
 };
 
 // The places of the points of a division, by their indices.
@@ -30,12 +33,18 @@ template <class Division>
 std::vector<Place_in_model> places_in_model(const Division& division)
 {
   std::vector<Place_in_model> result(division.number_of_points());
+  const std::vector<bool> are_inner_edges = internal::are_inner_edges(division.model());
   for(std::size_t e : division.uses().order()) {
     for(std::size_t i = 1; i < division.number_of_pieces(e); ++i)
       result[division.index(e, i)] = {1, e, i};
     for(std::size_t v : {division.model().edges()[e].source, division.model().edges()[e].target})
       result[division.vertex_index(v)] = {0, v, Place_in_model::none};
   }
+  for(std::size_t v : division.inner_points())
+    result[division.vertex_index(v)] = {0, v, Place_in_model::none, true};
+  for(std::size_t e : division.uses().order())
+    for(std::size_t i = 0; i <= division.number_of_pieces(e) && are_inner_edges[e]; ++i)
+      result[division.index(e, i)].is_inside_face = true;
   return result;
 }
 
@@ -47,6 +56,8 @@ std::vector<bool> are_points_used(const Division& division)
   for(std::size_t e : division.uses().order())
     for(std::size_t i = 0; i <= division.number_of_pieces(e); ++i)
       result[division.index(e, i)] = true;
+  for(std::size_t v : division.inner_points())
+    result[division.vertex_index(v)] = true;
   return result;
 }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/sizing/regular_tensor.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/nesting_levels.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/triangulate_boundary.h>
 #include <CGAL/Parametric_surface_oracle_3.h>
 
@@ -69,6 +70,9 @@ public:
   {
     std::vector<Vertex_handle> vertices;
     std::vector<std::size_t> segments; // by vertex: the index in the domain of the segment that begins there; a chart has none between copies of a pole
+
+    // Whether it is a point inside the face, which has no segments.
+    bool is_single_point() const { return vertices.size() == 2 && vertices[0] == vertices[1]; }
   };
 
 private:
@@ -95,7 +99,8 @@ public:
     for(std::size_t l = 0; l < loops.size(); ++l) {
       set_indices(charted_loops[l], m_loops[l].vertices);
       m_loops[l].segments = segments(loops[l], charted_loops[l].size());
-      set_spacings(m_loops[l].vertices);
+      if(!is_single_point(loops[l]))
+        set_spacings(m_loops[l].vertices);
     }
   }
 
@@ -154,9 +159,13 @@ private:
     for(std::size_t l = 0; l < loops.size(); ++l)
       put_in_middles(loops[l], evaluate, m_loops[l].vertices);
     for(std::size_t l = 0; l < loops.size(); ++l)
-      if(!constrain(loops[l], m_loops[l].vertices))
+      if(!is_single_point(loops[l]) && !constrain(loops[l], m_loops[l].vertices))
         return false;
-    set_nesting_levels(*m_triangulation);
+    Inner_segments inner_segments;
+    for(std::size_t l = 0; l < loops.size(); ++l)
+      if(lies_inside(loops[l]) && !is_single_point(loops[l]))
+        add_inner_segments(m_loops[l].vertices.begin(), m_loops[l].vertices.end(), inner_segments);
+    set_nesting_levels(*m_triangulation, inner_segments);
     return true;
   }
 
@@ -225,7 +234,7 @@ private:
   {
     std::vector<std::size_t> result;
     for(std::size_t i = 0; i < loop.size(); ++i)
-      if(number_in_chart == loop.size() || loop[i].index != loop[(i + 1) % loop.size()].index)
+      if(number_in_chart == loop.size() || !is_collapsed_side(loop, i))
         result.push_back(i);
     return result;
   }

@@ -242,7 +242,7 @@ private:
       m_report.number_of_replaced_tensors += triangulate.number_of_replaced_tensors();
     m_report.number_of_work_limits += triangulate.number_of_work_limits();
     m_has_taken_over = triangulate.has_taken_over();
-    m_number_of_boundary_vertices = triangulate.vertices().size();
+    m_number_of_boundary_vertices = m_triangulation.number_of_vertices(); // loops may have vertices in common
     if(m_progress.is_stopped())
       return;
     Pole_ring<Evaluator> insert_rings(m_triangulation, m_evaluator, m_boundary);

@@ -60,7 +60,7 @@ public:
     if(chart().is_identity())
       return;
     for(const auto& loop : loops)
-      for(std::size_t i = 0; i < loop.size(); ++i) {
+      for(std::size_t i = 0; i < loop.size() && !lies_inside(loop); ++i) {
         const std::size_t n = loop.size();
         if(chart().is_pole(loop[i].domain_point))
           insert_ring(loop[i], loop[(i + n - 1) % n], loop[(i + 1) % n]);

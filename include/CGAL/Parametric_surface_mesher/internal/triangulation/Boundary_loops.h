@@ -37,9 +37,46 @@ struct Boundary_vertex
   std::size_t index;
 };
 
-// The divided boundary of a patch, outer loop first.
+// The divided boundary of a patch, outer loop first. After the loops around the domain come those inside it, which the mesh follows on
+// both sides: see `lies_inside()`.
 template <class Kernel>
 using Boundary_loops = std::vector<std::vector<Boundary_vertex<Kernel>>>;
+
+template <class Kernel>
+bool are_one(const Boundary_vertex<Kernel>& v, const Boundary_vertex<Kernel>& w)
+{
+  return v.index == w.index && v.domain_point == w.domain_point;
+}
+
+// Whether a loop is a single point inside the patch: there and back.
+template <class Kernel>
+bool is_single_point(const std::vector<Boundary_vertex<Kernel>>& loop)
+{
+  return loop.size() == 2 && are_one(loop[0], loop[1]);
+}
+
+// Whether a loop has the domain on both sides: it runs along an edge inside the patch, which has two pieces at least, and back
+// again through the same points, or is a single point. Its segments are constraints, but not on the border of the domain. This is
+// the one place that tells which these are.
+template <class Kernel>
+bool lies_inside(const std::vector<Boundary_vertex<Kernel>>& loop)
+{
+  const std::size_t n = loop.size();
+  if(n < 4 || n % 2 != 0)
+    return is_single_point(loop);
+  for(std::size_t i = 1; i < n; ++i)
+    if(!are_one(loop[i], loop[n - i]))
+      return false;
+  return true;
+}
+
+// Whether segment `i` of a loop in the domain is a collapsed side of the patch.
+template <class Kernel>
+bool is_collapsed_side(const std::vector<Boundary_vertex<Kernel>>& loop, std::size_t i)
+{
+  const Boundary_vertex<Kernel>&v = loop[i], &w = loop[(i + 1) % loop.size()];
+  return v.index == w.index && v.domain_point != w.domain_point;
+}
 
 template <class Kernel>
 Bbox_2 box_of_loops(const Boundary_loops<Kernel>& loops)
@@ -80,7 +117,7 @@ public:
   void check_segments() const
   {
     for(std::size_t l = 0; l < m_loops.size(); ++l) {
-      if(m_loops[l].size() < 3)
+      if(m_loops[l].size() < 3 && !is_single_point(m_loops[l]))
         throw Parametric_surface_mesh_error(numbered("loop", l) + " is divided into "
                                             + std::to_string(m_loops[l].size())
                                             + " edges; at least 3 are needed: choose a smaller maximum edge");
@@ -93,9 +130,11 @@ public:
   std::vector<Crossing> crossings() const
   {
     std::vector<Box> boxes;
-    for(std::size_t l = 0; l < m_loops.size(); ++l)
-      for(std::size_t i = 0; i < m_loops[l].size(); ++i)
+    for(std::size_t l = 0; l < m_loops.size(); ++l) {
+      const std::size_t way_back = lies_inside(m_loops[l]) ? m_loops[l].size() / 2 : 0;
+      for(std::size_t i = 0; i + way_back < m_loops[l].size(); ++i)
         boxes.push_back(Box(segment({l, i}).bbox(), Segment_id(l, i)));
+    }
     std::vector<Crossing> result;
     const std::ptrdiff_t cutoff = 500; // so many boxes are compared one by one, which is faster than a segment tree
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
@@ -109,7 +148,9 @@ public:
 
   std::string describe_crossing(const Crossing& crossing) const
   {
-    return "the boundary crosses or touches itself: " + name(crossing.first) + ", and " + name(crossing.second);
+    const bool is_any_inside = lies_inside(m_loops[crossing.first.first]) || lies_inside(m_loops[crossing.second.first]);
+    return (is_any_inside ? "what lies inside the face crosses or touches something: " : "the boundary crosses or touches itself: ")
+           + name(crossing.first) + ", and " + name(crossing.second);
   }
 
 private:
@@ -125,8 +166,11 @@ private:
 
   std::string name(const Segment_id& id) const
   {
-    return numbered("segment", id.second) + " of " + numbered("loop", id.first) + ", "
-           + describe(segment(id).source()) + " to " + describe(segment(id).target());
+    if(is_single_point(m_loops[id.first]))
+      return "an inner point, " + describe(segment(id).source());
+    return numbered("segment", id.second) + " of " + numbered("loop", id.first)
+           + (lies_inside(m_loops[id.first]) ? ", an inner edge, " : ", ") + describe(segment(id).source()) + " to "
+           + describe(segment(id).target());
   }
 
   void check_segment(const Segment_id& id) const
@@ -138,7 +182,7 @@ private:
     if(!std::isfinite(s.x()) || !std::isfinite(s.y()) || !std::isfinite(s.z()))
       throw Parametric_surface_mesh_error("the surface is not finite at (u,v) = " + describe(p) + ", at the start of "
                                           + name(id));
-    if(segment(id).is_degenerate())
+    if(segment(id).is_degenerate() && !is_single_point(m_loops[id.first]))
       throw Parametric_surface_mesh_error(name(id) + ", has length zero in the domain");
   }
 
@@ -150,12 +194,9 @@ private:
       for(std::size_t k : {0, 1})
         if(are_one(vertex(a.first, a.second + i), vertex(b.first, b.second + k)))
           return overlap(i == 0 ? s.opposite() : s, k == 0 ? t : t.opposite());
+    if(s.is_degenerate() || t.is_degenerate())
+      return s.is_degenerate() ? t.has_on(s.source()) : s.has_on(t.source());
     return do_intersect(s, t);
-  }
-
-  static bool are_one(const Boundary_vertex<Kernel>& v, const Boundary_vertex<Kernel>& w)
-  {
-    return v.index == w.index && v.domain_point == w.domain_point;
   }
 
   // Whether two segments that are joined at `s.target()` have other points in common.

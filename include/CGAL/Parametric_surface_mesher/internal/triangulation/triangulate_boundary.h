@@ -12,6 +12,8 @@
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Boundary_loops.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Evaluated_point_2.h>
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/Patch_triangulation_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/nesting_levels.h>
+#include <CGAL/Parametric_surface_mesher/internal/triangulation/spacing_of_neighbors.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
@@ -23,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -32,28 +35,6 @@
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
-
-// Sets for all faces how many loops are around them, from outside inwards. The constraints are the segments of the loops.
-template <class Triangulation>
-void set_nesting_levels(Triangulation& triangulation)
-{
-  typedef typename Triangulation::Face_handle Face_handle;
-  const int unknown = Triangulation::Face::largest_nesting_level;
-  for(Face_handle face : triangulation.all_face_handles())
-    face->set_nesting_level(unknown);
-  std::vector<Face_handle> level(1, triangulation.infinite_face()), next;
-  for(int depth = 0; !level.empty(); depth = (std::min)(depth + 1, unknown - 1), level.swap(next), next.clear())
-    while(!level.empty()) {
-      const Face_handle face = level.back();
-      level.pop_back();
-      if(face->nesting_level() != unknown)
-        continue;
-      face->set_nesting_level(depth);
-      for(int i = 0; i < 3; ++i)
-        if(face->neighbor(i)->nesting_level() == unknown)
-          (face->is_constrained(i) ? next : level).push_back(face->neighbor(i));
-    }
-}
 
 // A triangulation of the points of a divided boundary whose segments are its constraints.
 template <class Kernel>
@@ -161,6 +142,7 @@ private:
     set_points(evaluated);
     if(!is_uniform) // under a single tensor the triangulation is Delaunay already
       make_locally_delaunay();
+    set_spacings_of_single_points(evaluated);
   }
 
   void take_over(Boundary_triangulation<Kernel> given, const std::vector<Evaluated>& evaluated)
@@ -172,6 +154,7 @@ private:
       vertex->set_on_boundary(false);
     set_points(evaluated);
     make_locally_delaunay();
+    set_spacings_of_single_points(evaluated);
   }
 
   template <class Evaluator>
@@ -265,7 +248,9 @@ private:
   // Most segments are edges of the triangulation already; it stays Delaunay if these are only marked as constrained.
   void insert_constraints()
   {
-    for_each_segment([this](std::size_t, Vertex_handle a, Vertex_handle b) {
+    for_each_segment([this](std::size_t l, Vertex_handle a, Vertex_handle b) {
+      if(is_single_point(m_loops[l]))
+        return;
       Face_handle face;
       int i = 0;
       if(m_triangulation.is_edge(a, b, face, i)) {
@@ -290,33 +275,28 @@ private:
 
   void mark_domain()
   {
-    set_nesting_levels(m_triangulation);
+    Inner_segments inner_segments;
+    for(std::size_t l = 0; l < m_loops.size(); ++l)
+      if(lies_inside(m_loops[l]) && !is_single_point(m_loops[l]))
+        add_inner_segments(m_vertices.begin() + std::ptrdiff_t(m_starts[l]), m_vertices.begin() + std::ptrdiff_t(m_starts[l + 1]),
+                           inner_segments);
+    set_nesting_levels(m_triangulation, inner_segments);
     std::vector<bool> is_checked(m_loops.size(), false);
     for_each_segment([&](std::size_t l, Vertex_handle a, Vertex_handle b) {
-      if(!is_checked[l])
-        check_nesting(l, a, b);
+      if(lies_inside(m_loops[l]))
+        check_is_inside(m_triangulation, m_loops[l], l, a);
+      else if(!is_checked[l])
+        check_nesting(m_triangulation, l, a, b);
       is_checked[l] = true;
     });
   }
 
-  void check_nesting(std::size_t l, Vertex_handle a, Vertex_handle b) const
-  {
-    Face_handle face;
-    int i = 0;
-    m_triangulation.is_edge(a, b, face, i);
-    const int level = (std::min)(face->nesting_level(), face->neighbor(i)->nesting_level());
-    if(l == 0 && level != 0)
-      throw Parametric_surface_mesh_error("loop 1, the outer loop, lies inside another loop, at (u,v) = "
-                                          + describe(a->point()));
-    if(l > 0 && level != 1)
-      throw Parametric_surface_mesh_error(numbered("loop", l) + ", a hole, lies "
-                                          + (level == 0 ? "outside the outer loop" : "inside another hole")
-                                          + ", at (u,v) = " + describe(a->point()));
-  }
-
   // The spacing of a boundary vertex: the mean of the distances to its two neighbours (paper, section "Spacing function").
+  // That of a single point is set in the end; until then it has none that counts.
   static double spacing(const std::vector<Boundary_vertex<Kernel>>& loop, std::size_t i)
   {
+    if(is_single_point(loop))
+      return std::numeric_limits<double>::infinity();
     const auto &before = loop[(i + loop.size() - 1) % loop.size()].surface_point,
                &after = loop[(i + 1) % loop.size()].surface_point, &here = loop[i].surface_point;
     return (std::sqrt(squared_distance(before, here)) + std::sqrt(squared_distance(here, after))) / 2;
@@ -334,6 +314,15 @@ private:
         vertex->set_index(loop[i].index);
         vertex->set_on_boundary(true);
       }
+  }
+
+  // A single point has the spacing of its neighbours, the closer the more, as points that refinement inserts, unless less is wanted.
+  void set_spacings_of_single_points(const std::vector<Evaluated>& evaluated)
+  {
+    for(std::size_t l = 0; l < m_loops.size(); ++l)
+      if(is_single_point(m_loops[l]) && std::isinf(m_vertices[m_starts[l]]->spacing()))
+        m_vertices[m_starts[l]]->set_spacing(
+          (std::min)(spacing_of_neighbors(m_triangulation, m_vertices[m_starts[l]]), evaluated[m_starts[l]].spacing_limit));
   }
 
   // Under varying tensors such flips need not end, so their number is bounded.
