@@ -93,7 +93,7 @@ TEST_F(Mesh_cad_program, helps)
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err, "");
   for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--distance", "--relative-distance", "--angle", "--closeness", "--growth", "--sweeps", "--threads",
-                            "--face-size", "--edge-size", "--local-size", "--sphere-size", "--sew", "--faces", "--unit", "--heal", "--out", "--picture", "--json", "--quiet",
+                            "--face-size", "--edge-size", "--local-size", "--size-field", "--sphere-size", "--sew", "--faces", "--unit", "--heal", "--out", "--picture", "--json", "--quiet",
                             ".vtu", ".msh", ".inp", ".step", ".iges", ".brep", "Exit status"})
     EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
@@ -381,6 +381,36 @@ TEST_F(Mesh_cad_program, sizes_in_parts_of_space_and_near_edges_and_vertices)
   for(const char* size : {"box:0,0,0,1,1:1", "box:0,0,0,1,1,1", "sphere:0,0,0,-1:1", "cone:0,0,0:1", "cylinder:0,0,0,0,0,0,1:1", "point:0,0,0:0", "point:0,0,x:1", "point:0,0,0:1:-1",
                           "point:0,0,0:1:11", "point:0,0,0:1:1:1", "face::1", "face:1", "face:7:1", "edge:13:1", "vertex:9:1", "vertex:x:1", "point:0,0,0:1e-9", "", ":", "::::"})
     expect_refused(std::string("box.brep --local-size '") + size + "'", "--local-size");
+}
+
+// A tetrahedron around the box, with small edges at one of its corners.
+TEST_F(Mesh_cad_program, takes_sizes_from_the_nodes_of_a_mesh)
+{
+  const auto write = [this](const char* name, double unit) {
+    std::ofstream out(file(name));
+    out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n";
+    for(const char* node : {"1 0 0 0", "2 10 0 0", "3 0 10 0", "4 0 0 10"}) {
+      double number, x, y, z;
+      std::istringstream(node) >> number >> x >> y >> z;
+      out << number << " " << x / unit << " " << y / unit << " " << z / unit << "\n";
+    }
+    out << "$EndNodes\n$Elements\n1\n1 4 2 0 1 1 2 3 4\n$EndElements\n";
+    for(const char* data : {"size", "other"})
+      out << "$NodeData\n1\n\"" << data << "\"\n1\n0.0\n3\n0\n1\n4\n1 " << 0.05 / unit << "\n2 " << 2 / unit << "\n3 " << 2 / unit << "\n4 " << 2 / unit
+          << "\n$EndNodeData\n";
+  };
+  write("sizes.msh", 1);
+  write("sizes_in_metres.msh", 1000);
+  const auto triangles = [this](const std::string& options) { return json("box.brep --quiet --max-edge 0.5 " + options)["triangles"].get<int>(); };
+  const int plain = triangles(""), finer = triangles("--size-field sizes.msh:size"), nearly = triangles("--local-size point:0,0,0:0.05:0.195");
+  EXPECT_GT(finer, 1.3 * plain);
+  EXPECT_NEAR(finer, nearly, 0.5 * nearly); // which measures distances by another norm
+  EXPECT_GT(triangles("--size-field sizes.msh:other --local-size point:1,2,3:0.05"), finer);
+  EXPECT_NEAR(json("box.step --quiet --unit M --max-edge 0.0005 --size-field sizes_in_metres.msh:size")["triangles"].get<int>(), finer, 0.05 * finer);
+  expect_refused("box.brep --size-field sizes.msh", "'size', 'other'");
+  expect_refused("box.brep --size-field sizes.msh:strain", "no values 'strain'");
+  expect_refused("box.brep --size-field nowhere.msh", "cannot be opened");
+  expect_refused("box.brep --min-edge 0.1 --size-field sizes.msh:size", "--size-field: the length 0.05 is below");
 }
 
 TEST_F(Mesh_cad_program, heals) { EXPECT_EQ(run("box.step --heal --out healed.off").status, 0); }

@@ -23,7 +23,7 @@
 struct Mesh_cad_options
 {
   std::string input, out, picture, json, unit = "MM";
-  std::string face_list, face_sizes, edge_sizes, self_intersections = "refine";
+  std::string face_list, face_sizes, edge_sizes, size_field, self_intersections = "refine";
   std::vector<std::string> sphere_list, local_list, part_lists;
   std::string fineness = "normal";
   double elements_per_turn = 0; // 0 if not given
@@ -129,7 +129,9 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("local-size", po::value<std::vector<std::string>>(&o.local_list)->value_name("WHERE:L[:G]"),
      "wanted edge length L in a part of space or near something, growing outside by G of the distance (0.2); WHERE is box:X,Y,Z,X,Y,Z (two corners), sphere:X,Y,Z,R, "
      "cylinder:X,Y,Z,X,Y,Z,R (the ends of its axis, and the radius), point:X,Y,Z, face:F, edge:E, vertex:V or part:P, with numbers or names; may be given several times, the least length counts")
-    ("sphere-size", po::value<std::vector<std::string>>(&o.sphere_list)->value_name("X,Y,Z,R:L"), "the same as --local-size sphere:X,Y,Z,R:L");
+    ("sphere-size", po::value<std::vector<std::string>>(&o.sphere_list)->value_name("X,Y,Z,R:L"), "the same as --local-size sphere:X,Y,Z,R:L")
+    ("size-field", text(o.size_field, "FILE[:NAME]"),
+     "wanted edge lengths at the nodes of a mesh of triangles or tetrahedra, linear between them, those of the closest point outside: the values called NAME, or the only ones, of a .vtu, .msh, or .mesh with .sol; in the unit of --unit");
   criteria.add_options()
     ("self-intersections", text(o.self_intersections, "WHAT"),
      "triangles of one solid that pass through each other: refine (mesh again with shorter edges there, as far as that helps; list the rest), report or ignore (refine)");

@@ -11,6 +11,8 @@
 #include "measure_cad_mesh.h"
 
 #include <CGAL/Graded_sizing_field_3.h>
+#include <CGAL/IO/read_node_values.h>
+#include <CGAL/Interpolated_sizing_field_3.h>
 #include <CGAL/Least_sizing_field_3.h>
 #include <CGAL/Open_cascade_model_3.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
@@ -26,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -204,6 +207,21 @@ inline void check_size(const std::string& option, double length, const CGAL::Par
   throw Usage_error(message.str());
 }
 
+// The edge lengths of a file, by its name or by that with a colon and the name of the values.
+inline CGAL::Interpolated_sizing_field_3<Kernel> read_size_field(const std::string& name, double unit)
+{
+  const bool is_file = std::ifstream(name).good();
+  const std::size_t colon = is_file ? std::string::npos : name.rfind(':');
+  CGAL::Node_values_3 values
+    = CGAL::IO::read_node_values(name.substr(0, colon), colon == std::string::npos ? std::string() : name.substr(colon + 1));
+  for(auto& p : values.nodes)
+    for(double& x : p)
+      x *= unit;
+  for(double& value : values.values)
+    value *= unit;
+  return CGAL::Interpolated_sizing_field_3<Kernel>(values);
+}
+
 // \pre lengths of the options are in millimetres, those of `unit` in the lists
 inline Sizes make_sizes(const Mesh_cad_options& options, double unit, const Names& names, const CGAL::Open_cascade_model_3& shape,
                         const CGAL::Parametric_surface_mesh_criteria& criteria)
@@ -221,6 +239,11 @@ inline Sizes make_sizes(const Mesh_cad_options& options, double unit, const Name
   for(const Local_size& size : options.local_sizes) {
     check_size(size.option, size.length, criteria, unit);
     result.field.add(field_of(size, near_entities));
+  }
+  if(!options.size_field.empty()) {
+    const auto field = read_size_field(options.size_field, unit);
+    check_size("size-field", field.length(), criteria, unit);
+    result.field.add(field);
   }
   if(options.callbacks.size)
     result.field.add([size = options.callbacks.size](const Kernel::Point_3& p) { return size(p.x(), p.y(), p.z()); });

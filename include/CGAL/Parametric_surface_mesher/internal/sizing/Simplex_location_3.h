@@ -119,18 +119,18 @@ private:
     return result;
   }
 
-  // The mean of values, weighted by areas or volumes. Weights that are negative by rounding do not lead beyond the values.
+  // The mean of values, weighted by areas or volumes. Weights that are negative by rounding do not lead beyond the values, and the mean of equal ones is
+  // just that: faces where nothing changes are not meshed again.
   template <class Simplex>
   double mean(const Simplex& simplex, std::array<double, std::tuple_size<Simplex>::value> weights) const
   {
-    double sum = 0, result = 0;
+    double sum = 0, difference = 0;
     for(std::size_t i = 0; i < weights.size(); ++i) {
       weights[i] = (std::max)(weights[i], 0.);
       sum += weights[i];
+      difference += weights[i] * (m_values[simplex[i]] - m_values[simplex[0]]);
     }
-    for(std::size_t i = 0; i < weights.size(); ++i)
-      result += weights[i] / sum * m_values[simplex[i]];
-    return result;
+    return m_values[simplex[0]] + difference / sum;
   }
 
   double value_in_tetrahedron(std::size_t number, const Distance_kernel::Point_3& p) const
