@@ -10,8 +10,8 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 scripts/install_dependencies.sh
-# They read files back in tests, which are skipped without them.
-scripts/install_dependencies.sh calculix-ccx gmsh python3-meshio || echo "== Going on without CalculiX, Gmsh or meshio"
+# They read files back in tests, or make the manual; what needs them is skipped without them.
+scripts/install_dependencies.sh calculix-ccx gmsh python3-meshio doxygen libjs-mathjax || echo "== Going on without CalculiX, Gmsh, meshio or Doxygen"
 jobs=$(nproc)
 
 # configure DIRECTORY [option...]: quiet unless it fails

@@ -6,6 +6,7 @@
 #include "Mesh_patch_options.h"
 #include "Mesh_patch_output.h"
 #include "Mesh_patch_result.h"
+#include "print_version.h"
 
 #include <algorithm>
 #include <exception>
@@ -41,6 +42,8 @@ int main(int argc, char** argv)
     const Mesh_patch_options options = read_mesh_patch_options(argc, argv);
     if(options.is_help_wanted)
       mesh_patch::print_help(std::cout);
+    else if(options.is_version_wanted)
+      print_version(std::cout, "mesh_patch");
     else
       run(options);
     return 0;

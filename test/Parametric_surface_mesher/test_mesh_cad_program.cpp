@@ -213,6 +213,7 @@ TEST_F(Mesh_cad_program, follows_the_fineness)
 TEST_F(Mesh_cad_program, follows_the_unit)
 {
   EXPECT_NEAR(json("box.step --quiet --unit M")["area"], 22e-6, 1e-12);
+  EXPECT_NEAR(json("box.step --quiet --unit cm")["area"], 22e-2, 1e-8);
   STEPControl_Writer step;
   step.Transfer(BRepPrimAPI_MakeCylinder(1, 2).Shape(), STEPControl_AsIs);
   step.Write(file("round.step").c_str());

@@ -26,6 +26,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <sys/stat.h>
 #include <utility>
 #include <vector>
 
@@ -69,6 +70,18 @@ TEST_F(Mesh_patch_program, helps)
                             "--division", "--out", "--uv", "--picture", "--uv-picture", "--ellipses", "--json", "--quiet",
                             "principal-curvature", "stretch", ".bpt", "boundary_limited", "unmet"})
     EXPECT_NE(result.out.find(option), std::string::npos) << option;
+}
+
+TEST_F(Mesh_patch_program, knows_short_options_and_capital_endings)
+{
+  EXPECT_EQ(run("-h").out, run("--help").out);
+  const Result version = run("--version");
+  EXPECT_EQ(version.status, 0);
+  EXPECT_EQ(version.out.find("mesh_patch 0."), 0u) << version.out;
+  EXPECT_NE(version.out.find("CGAL "), std::string::npos) << version.out;
+  EXPECT_EQ(run("--quiet -o short.off -- flat").status, 0);
+  EXPECT_EQ(run("flat --quiet --out capital.OFF").status, 0);
+  EXPECT_EQ(content(file("short.off")), content(file("capital.OFF")));
 }
 
 TEST_F(Mesh_patch_program, names_all_samples)
@@ -426,6 +439,30 @@ TEST_F(Mesh_patch_program, keeps_old_files_if_meshing_fails)
   // a division into two edges in all cannot bound the hole
   expect_refused("hole --division 1,1,1,1,2 --out out.off", "loop 2");
   EXPECT_EQ(content(file("out.off")), "old");
+}
+
+TEST_F(Mesh_patch_program, writes_into_a_pipe)
+{
+  ASSERT_EQ(mkfifo(file("pipe.off").c_str(), 0600), 0);
+  EXPECT_EQ(run("flat --quiet --out whole.off && { timeout 60 cat pipe.off > read.off & timeout 60 '" + program
+                + "' flat --quiet --out pipe.off; wait; }").status, 0);
+  EXPECT_TRUE(std::filesystem::is_fifo(file("pipe.off")));
+  EXPECT_NE(content(file("read.off")), "");
+  EXPECT_EQ(content(file("read.off")), content(file("whole.off")));
+}
+
+// Nobody reads the pipe, so the program waits there, and has the first file under its temporary name.
+TEST_F(Mesh_patch_program, removes_unfinished_files_if_it_is_told_to_end)
+{
+  ASSERT_EQ(mkfifo(file("pipe.json").c_str(), 0600), 0);
+  for(const char* signal : {"TERM", "HUP"}) {
+    run("--version && { '" + program + "' flat --quiet --out mesh.off --json pipe.json & job=$!; for i in $(seq 600); do test -s mesh.off.part && break; sleep 0.1; done; "
+        "ls > seen; kill -" + std::string(signal) + " $job; wait $job; echo $? > status; }");
+    EXPECT_NE(content(file("seen")).find("mesh.off.part"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(file("mesh.off.part")));
+    EXPECT_FALSE(std::filesystem::exists(file("mesh.off")));
+    EXPECT_EQ(content(file("status")), signal == std::string("TERM") ? "143\n" : "129\n");
+  }
 }
 
 } // namespace

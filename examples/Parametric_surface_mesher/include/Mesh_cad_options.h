@@ -10,6 +10,7 @@
 #include "Mesh_cad_fineness.h"
 #include "Usage_error.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/optional.hpp>
 #include <boost/program_options.hpp>
 
@@ -35,7 +36,7 @@ struct Mesh_cad_options
   boost::optional<unsigned int> sweeps;
   unsigned int threads = 1, order = 1;
   double fuzzy = 0; // 0 for the tolerances of the file
-  bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_list_wanted = false;
+  bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_version_wanted = false, is_list_wanted = false;
   bool are_node_parameters_wanted = false, is_binary = false;
   Mesh_callbacks callbacks; // of programs that use mesh_cad as a library
 };
@@ -151,13 +152,14 @@ inline po::options_description described_options(Mesh_cad_options& o)
   mesh_patch::add_order(output, o.order);
   output.add_options()
     ("list", po::bool_switch(&o.is_list_wanted), "print the parts of the assembly, their sizes, and what has names, and stop; --json writes them")
-    ("out", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv, .glb or, if built with the MED library, .med")
+    ("out,o", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv, .glb or, if built with the MED library, .med")
     ("binary", po::bool_switch(&o.is_binary), "write .stl, .off and .ply as binary files; .vtu always is one")
     ("node-parameters", po::bool_switch(&o.are_node_parameters_wanted), "write the parameters of nodes on edges and faces, too, to .msh (Gmsh reads them, meshio does not) and .vtu")
     ("picture", text(o.picture, "FILE"), "a picture of the mesh, as .svg")
     ("json", text(o.json, "FILE"), "the results in numbers, as .json")
     ("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors")
-    ("help", po::bool_switch(&o.is_help_wanted), "print this and stop");
+    ("version", po::bool_switch(&o.is_version_wanted), "print the versions of this program and of its libraries, and stop")
+    ("help,h", po::bool_switch(&o.is_help_wanted), "print this and stop");
   return criteria.add(input).add(output);
 }
 
@@ -240,8 +242,9 @@ inline Mesh_cad_options read_mesh_cad_options(int argc, char** argv)
   catch(const po::error& error) {
     throw Usage_error(std::string(error.what()) + "; --help lists the options");
   }
-  if(o.is_help_wanted)
+  if(o.is_help_wanted || o.is_version_wanted)
     return o;
+  boost::algorithm::to_upper(o.unit);
   if(o.input.empty())
     throw Usage_error("no input file is given; --help lists the options");
   check_values(given, o);

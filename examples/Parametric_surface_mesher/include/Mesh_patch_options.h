@@ -33,7 +33,7 @@ struct Mesh_patch_options
   std::vector<unsigned int> numbers_of_edges; // from `division`
   unsigned int order = 1;
   int ellipses = 0;
-  bool is_quiet = false, is_help_wanted = false;
+  bool is_quiet = false, is_help_wanted = false, is_version_wanted = false;
 };
 
 namespace mesh_patch {
@@ -120,14 +120,15 @@ inline po::options_description described_options(Mesh_patch_options& o)
   po::options_description output("Output", 92);
   add_order(output, o.order);
   output.add_options()
-    ("out", file(o.out), "the mesh, as .off, .obj, .ply or .stl; with --order 2 as .vtu, .msh, .inp or .bdf")
+    ("out,o", file(o.out), "the mesh, as .off, .obj, .ply or .stl; with --order 2 as .vtu, .msh, .inp or .bdf")
     ("uv", file(o.uv), "the same triangles in the domain, as points (u,v,0); endings as for --out")
     ("picture", file(o.picture), "a picture of the mesh, as .svg")
     ("uv-picture", file(o.uv_picture), "a picture of the triangles in the domain, as .svg")
     ("ellipses", po::value<int>(&o.ellipses)->value_name("N"), "the number of circumellipses in --uv-picture (0)")
     ("json", file(o.json), "the results in numbers, as .json")
     ("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors")
-    ("help", po::bool_switch(&o.is_help_wanted), "print this and stop");
+    ("version", po::bool_switch(&o.is_version_wanted), "print the versions of this program and of its libraries, and stop")
+    ("help,h", po::bool_switch(&o.is_help_wanted), "print this and stop");
   criteria.add(output);
   return criteria;
 }
@@ -198,7 +199,7 @@ inline Mesh_patch_options read_mesh_patch_options(int argc, char** argv)
   catch(const po::error& error) {
     throw Usage_error(std::string(error.what()) + "; --help lists the options");
   }
-  if(o.is_help_wanted)
+  if(o.is_help_wanted || o.is_version_wanted)
     return o;
   if(o.surface.empty())
     throw Usage_error("no surface is given; --help lists the available ones");

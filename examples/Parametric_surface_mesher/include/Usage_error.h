@@ -5,6 +5,7 @@
 #ifndef USAGE_ERROR_H
 #define USAGE_ERROR_H
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/optional.hpp>
 #include <boost/program_options.hpp>
 
@@ -38,9 +39,10 @@ inline std::string plural(std::size_t n, const std::string& what, const std::str
   return std::to_string(n) + " " + (n == 1 ? what : several.empty() ? what + "s" : several);
 }
 
+// in capital or small letters
 inline bool has_ending(const std::string& name, const std::string& ending)
 {
-  return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+  return name.size() > ending.size() && boost::algorithm::iends_with(name, ending);
 }
 
 inline void check_ending(const std::string& option, const std::string& file_name, const std::vector<std::string>& endings)

@@ -6,6 +6,9 @@
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_output.h"
 #include "Mesh_cad_result.h"
+#include "print_version.h"
+
+#include <Standard_Version.hxx>
 
 #include <algorithm>
 #include <cstddef>
@@ -101,9 +104,12 @@ int run_mesh_cad(int argc, char** argv)
 {
   try {
     const Mesh_cad_options options = read_mesh_cad_options(argc, argv);
-    if(!options.is_help_wanted)
+    if(options.is_help_wanted)
+      mesh_cad::print_help(std::cout);
+    else if(options.is_version_wanted)
+      print_version(std::cout, "mesh_cad", {"Open CASCADE " OCC_VERSION_COMPLETE});
+    else
       return run(options);
-    mesh_cad::print_help(std::cout);
     return 0;
   }
   catch(const std::bad_alloc&) {

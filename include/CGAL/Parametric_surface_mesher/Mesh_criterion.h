@@ -91,7 +91,7 @@ public:
   friend constexpr bool operator==(Criterion_set a, Criterion_set b) { return a.m_bits == b.m_bits; }
   friend constexpr bool operator!=(Criterion_set a, Criterion_set b) { return a.m_bits != b.m_bits; }
 
-  /// an order, for containers.
+  // an order, for containers
   friend constexpr bool operator<(Criterion_set a, Criterion_set b) { return a.m_bits < b.m_bits; }
 };
 

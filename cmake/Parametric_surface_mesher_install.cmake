@@ -1,0 +1,70 @@
+# This file is part of Parametric_surface_mesher, an extension package of CGAL.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Two components: "development", the headers with a config package for CMake, a file for pkg-config and, if the target doc was built, the
+# manual; and "programs". CPack makes a Debian package of each.
+
+set(development_component parametric-surface-mesher-dev)
+set(programs_component parametric-surface-mesher)
+
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Parametric_surface_mesher)
+install(DIRECTORY include/CGAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${development_component} FILES_MATCHING PATTERN "*.h")
+install(FILES COPYING README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT ${development_component})
+install(DIRECTORY examples/Parametric_surface_mesher DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT ${development_component})
+install(DIRECTORY ${PROJECT_BINARY_DIR}/doc/html DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT ${development_component} OPTIONAL)
+install(TARGETS Parametric_surface_mesher EXPORT Parametric_surface_mesherTargets COMPONENT ${development_component})
+install(EXPORT Parametric_surface_mesherTargets
+  NAMESPACE Parametric_surface_mesher::
+  DESTINATION ${config_dir}
+  COMPONENT ${development_component})
+configure_package_config_file(cmake/Parametric_surface_mesherConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/Parametric_surface_mesherConfig.cmake
+  INSTALL_DESTINATION ${config_dir})
+# Before 1.0 each minor version may break its users.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/Parametric_surface_mesherConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES
+  cmake/Parametric_surface_mesher_Open_cascade_support.cmake
+  cmake/Parametric_surface_mesher_Med_support.cmake
+  cmake/Parametric_surface_mesher_programs.cmake
+  ${PROJECT_BINARY_DIR}/Parametric_surface_mesherConfig.cmake
+  ${PROJECT_BINARY_DIR}/Parametric_surface_mesherConfigVersion.cmake
+  DESTINATION ${config_dir}
+  COMPONENT ${development_component})
+
+# For those who build without CMake. The compiler option is the one that CGAL's own target has.
+configure_file(cmake/parametric_surface_mesher.pc.in ${PROJECT_BINARY_DIR}/parametric_surface_mesher.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/parametric_surface_mesher.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig
+  COMPONENT ${development_component})
+
+# (They take long to build: they are installed if they were.)
+foreach(program mesh_patch mesh_cad)
+  if(TARGET ${program})
+    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${programs_component} OPTIONAL)
+  endif()
+endforeach()
+
+if(is_top_level)
+  set(CPACK_GENERATOR DEB)
+  set(CPACK_PACKAGE_NAME parametric-surface-mesher)
+  set(CPACK_PACKAGE_CONTACT "The authors of Parametric_surface_mesher <parametric-surface-mesher@example.org>")
+  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "triangle meshes of trimmed parametric surfaces and CAD files")
+  set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/COPYING)
+  set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+  set(CPACK_COMPONENTS_ALL ${development_component})
+  if(TARGET mesh_patch)
+    list(APPEND CPACK_COMPONENTS_ALL ${programs_component})
+  endif()
+  set(CPACK_DEB_COMPONENT_INSTALL ON)
+  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_PACKAGE_SECTION math)
+  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_NAME ${development_component})
+  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_ARCHITECTURE all)
+  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev, libboost-dev")
+  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SUGGESTS "libtbb-dev, libocct-data-exchange-dev, libmedc-dev")
+  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SECTION libdevel)
+  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER_PACKAGE_NAME ${programs_component})
+  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_STRIP_FILES ON)
+  include(CPack)
+endif()

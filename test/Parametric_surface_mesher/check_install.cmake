@@ -1,0 +1,45 @@
+# This file is part of Parametric_surface_mesher, an extension package of CGAL.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs the package, and configures the examples and small projects with it, as users do. BUILD_DIR: of the package;
+# SOURCE_DIR: of the package; WORK_DIR: is made anew; HAS_OPEN_CASCADE: whether Open CASCADE was found
+file(REMOVE_RECURSE ${WORK_DIR})
+file(MAKE_DIRECTORY ${WORK_DIR}/user)
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN}\n${output}\n${errors}")
+  endif()
+endfunction()
+
+# `sentence`: a regular expression that the error has, empty if there is none
+function(configure_user components sentence)
+  file(WRITE ${WORK_DIR}/user/CMakeLists.txt "cmake_minimum_required(VERSION 3.16)\nproject(User CXX)\n"
+    "find_package(Parametric_surface_mesher REQUIRED COMPONENTS ${components})\n")
+  file(REMOVE_RECURSE ${WORK_DIR}/user_build)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK_DIR}/user -B ${WORK_DIR}/user_build -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_PREFIX_PATH=${WORK_DIR}/installed RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE errors)
+  if(sentence STREQUAL "" AND NOT status EQUAL 0)
+    message(FATAL_ERROR "Components ${components}: ${errors}")
+  endif()
+  string(REGEX REPLACE "[ \n]+" " " errors "${errors}")
+  if(NOT sentence STREQUAL "" AND NOT errors MATCHES "${sentence}")
+    message(FATAL_ERROR "Components ${components}: '${sentence}' is not in: ${errors}")
+  endif()
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/installed --component parametric-surface-mesher-dev)
+foreach(file share/pkgconfig/parametric_surface_mesher.pc include/CGAL/make_parametric_surface_mesh.h)
+  if(NOT EXISTS ${WORK_DIR}/installed/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
+configure_user("" "")
+configure_user("Nothing" "Nothing: there is no such component")
+if(HAS_OPEN_CASCADE)
+  configure_user("Open_cascade" "")
+else()
+  configure_user("Open_cascade" "Open_cascade: Open CASCADE 7.5 or later is not found")
+endif()
+run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/examples/Parametric_surface_mesher -B ${WORK_DIR}/examples -DCMAKE_PREFIX_PATH=${WORK_DIR}/installed)
