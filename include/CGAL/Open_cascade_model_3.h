@@ -62,11 +62,20 @@ struct Open_cascade_model_3
     double tolerance;       ///< the largest tolerance of the edge and its vertices
   };
 
-  /// an edge that a face has inside, not as a boundary: the mesh does not follow it.
+  /// an edge that a face has inside, not as a boundary.
   struct Inner_edge
   {
     std::size_t shape_edge; ///< the index of the edge in the shape, from 0
     std::size_t shape_face; ///< the index of the face in the shape, from 0
+    std::string reason = ""; ///< why the mesh does not follow it; empty if it does
+  };
+
+  /// a vertex that a face has inside.
+  struct Inner_vertex
+  {
+    std::size_t shape_vertex; ///< the index of the vertex in the shape, from 0
+    std::size_t shape_face;   ///< the index of the face in the shape, from 0
+    std::string reason = "";  ///< why it is no vertex of the mesh; empty if it is
   };
 
   /// its first edges are those of the shape, in their order; then come collapsed ones that the shape lacks. If a face is divided at
@@ -89,7 +98,9 @@ struct Open_cascade_model_3
   std::vector<std::size_t> repeated_faces;
   /// edges of the model along which faces of a shell cannot face to the same side: the mesh of the shell is open there
   std::vector<std::size_t> turned_edges;
-  std::vector<Inner_edge> inner_edges; ///< edges with the orientation `TopAbs_INTERNAL` or `TopAbs_EXTERNAL` in a face
+  /// edges with the orientation `TopAbs_INTERNAL` or `TopAbs_EXTERNAL` in a face; the mesh follows those inside
+  std::vector<Inner_edge> inner_edges;
+  std::vector<Inner_vertex> inner_vertices; ///< vertices with such an orientation in a face, which the mesh has if they are inside
   std::vector<Gap> gaps;               ///< of edges that are less exact than the shape says
   /// the largest distance between an edge and the image of one of its curves, of all edges
   double largest_gap = 0;

@@ -91,7 +91,8 @@ public:
   {
     std::size_t vertex;                      ///< the vertex
     typename Geom_traits::Point_2 parameters; ///< its place in the domain of the face
-    double max_edge = 0; ///< the wanted edge length there, if that is less than elsewhere; 0 if it has no own one
+    double max_edge = 0;  ///< the wanted edge length there, if that is less than elsewhere; 0 if it has no own one
+    double tolerance = 0; ///< the distance between the vertex and the surface, if that is more than the model's tolerance
   };
 
   /// a trimmed surface.

@@ -45,6 +45,8 @@ edge there and back, or if it is wider than this together with others that are c
 of a loop.
 - A face with a crease, a line of constant `u` or `v` across which its tangent plane turns by more than 11 degrees, becomes several faces of
 the model, so that the crease is an edge of them. All of them have the number of the face.
+- Edges and vertices with the orientation `TopAbs_INTERNAL` in a face are inner edges and inner points of it. Those that do not fit are listed with
+the reason in `Open_cascade_model_3::inner_edges` and `inner_vertices`, as are all others.
 - A face that cannot be built, or for which Open CASCADE throws an exception, is left out and listed with the reason. The
 other faces do not depend on it.
 

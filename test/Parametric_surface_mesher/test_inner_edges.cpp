@@ -155,6 +155,8 @@ void expect_followed(const Model& model, const Placed_mesh& placed, const std::s
 void expect_whole(const Placed_mesh& placed, double area)
 {
   EXPECT_TRUE(placed.mesh.is_valid(false));
+  for(const auto v : placed.mesh.vertices())
+    ASSERT_FALSE(placed.mesh.is_isolated(v)) << placed.mesh.point(v);
   double sum = 0;
   for(const auto f : placed.mesh.faces()) {
     const auto h = placed.mesh.halfedge(f);
@@ -232,8 +234,10 @@ TEST(Inner_edges, run_on_in_the_next_face)
   expect_whole(placed, 2);
 }
 
-// A rib on a plate, whose lower edge lies inside that.
-TEST(Inner_edges, are_edges_of_other_faces)
+// A rib on a plate, whose lower edge lies inside that, in a shell of its own and in that of the plate, which stays in one piece.
+class Inner_edges_of_shells : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(Inner_edges_of_shells, are_edges_of_other_faces)
 {
   Wave_model wave;
   wave.add_face(unit_square);
@@ -249,7 +253,7 @@ TEST(Inner_edges, are_edges_of_other_faces)
                           {wave.model.add_edge(b, c), false, Curve::segment({1, 0}, {1, 0.4})},
                           {wave.model.add_edge(c, d), false, Curve::segment({1, 0.4}, {0, 0.4})},
                           {wave.model.add_edge(d, a), false, Curve::segment({0, 0.4}, {0, 0})}}}};
-  face.shell = 1;
+  face.shell = GetParam();
   wave.model.add_face(face);
   const Placed_mesh placed(wave.model, fine_criteria);
   std::map<Point_3, std::set<std::size_t>> patches_at;
@@ -264,7 +268,10 @@ TEST(Inner_edges, are_edges_of_other_faces)
     }
   EXPECT_NEAR(covered[0], 1, 1e-9);
   EXPECT_NEAR(covered[1], 1, 1e-9);
+  EXPECT_TRUE(placed.mesh.is_valid(false));
 }
+
+INSTANTIATE_TEST_SUITE_P(Shells, Inner_edges_of_shells, testing::Values(0, 1));
 
 TEST(Inner_edges, have_their_sizes)
 {

@@ -6,6 +6,7 @@
 #include "program_test.h"
 
 #include <BRepAlgoAPI_Splitter.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepTools.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <TopoDS_Compound.hxx>
@@ -14,6 +15,7 @@
 #include <gp_Pnt.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -271,6 +273,39 @@ TEST_F(Mesh_cad_groups, gmsh_fills_parts_that_share_a_face)
   const std::size_t number_of_sides = json("two.brep --quiet --max-edge 0.3")["triangles"];
   EXPECT_LT(number_of_triangles, number_of_sides); // which has both sides of the common face
   EXPECT_EQ(number_on_border, 2 * number_of_triangles - number_of_sides);
+}
+
+// A point above the top of a box, and a line on it: sets of the files, on the surface of the tetrahedra.
+TEST_F(Mesh_cad_groups, points_and_curves_on_faces)
+{
+  BRepTools::Write(BRepPrimAPI_MakeBox(4, 4, 4).Shape(), file("box.brep").c_str());
+  BRepTools::Write(BRepBuilderAPI_MakeEdge(gp_Pnt(1, 1, 4), gp_Pnt(3, 2, 4)).Edge(), file("line.brep").c_str());
+  const std::string options = "box.brep --point 1,3,4.1 --curves line.brep ";
+  const nlohmann::json numbers = json(options);
+  EXPECT_TRUE(numbers["closed"]);
+  ASSERT_EQ(numbers["imprints"].size(), 2u);
+  EXPECT_NEAR(numbers["imprints"][0]["distance"].get<double>(), 0.1, 1e-9);
+  EXPECT_NEAR(numbers["imprints"][1]["projected_length"].get<double>(), std::sqrt(5), 1e-6);
+  EXPECT_EQ(numbers["inner_edges"].size(), 1u);
+  EXPECT_EQ(numbers["inner_vertices"].size(), 1u);
+  EXPECT_TRUE(has(run(options).out, "the mesh follows 1 edge and 1 vertex inside faces"));
+  ASSERT_EQ(run(options + "--quiet --out box.inp").status, 0);
+  const std::string inp = content(file("box.inp"));
+  EXPECT_TRUE(has(inp, "NSET=POINT_1")) << inp.substr(0, 300);
+  EXPECT_TRUE(has(inp, "NSET=CURVE_1"));
+  ASSERT_EQ(run(options + "--quiet --out box.msh").status, 0);
+  EXPECT_TRUE(has(content(file("box.msh")), "\"curve_1\""));
+  expect_refused("box.brep --point 1,3", "--point");
+  expect_refused("box.brep --point 1,3,9", "away from the faces");
+  expect_refused("box.brep --reach 1", "--reach");
+  expect_refused("box.brep --curves none.brep", "none.brep");
+  if(!succeeds("command -v gmsh"))
+    GTEST_SKIP() << "gmsh is not installed";
+  std::ofstream(file("box.geo")) << "Merge \"box.msh\";\nSurface Loop(1) = Surface {:};\nVolume(1) = {1};\nPhysical Volume(\"filled\") = {1};\n";
+  EXPECT_TRUE(succeeds("cd " + file("") + " && gmsh box.geo -3 -format msh22 -o filled.msh"));
+  const std::string filled = content(file("filled.msh"));
+  for(const char* group : {"filled", "point_1", "curve_1"})
+    EXPECT_TRUE(has(filled, std::string("\"") + group + "\"")) << group;
 }
 
 TEST_F(Mesh_cad_groups, meshio_reads_groups)

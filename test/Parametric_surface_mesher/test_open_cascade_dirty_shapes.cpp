@@ -375,7 +375,7 @@ TEST(Dirty_shapes, solids_stay_solids_when_faces_are_sewn)
   EXPECT_TRUE(Meshed_shape(sewn.shape).quality.is_closed);
 }
 
-TEST(Dirty_shapes, edges_inside_faces_are_named)
+TEST(Dirty_shapes, edges_inside_faces_are_named_and_followed)
 {
   TopoDS_Face face = face_of(polygon({gp_Pnt(0, 0, 0), gp_Pnt(4, 0, 0), gp_Pnt(4, 4, 0), gp_Pnt(0, 4, 0)}), new Geom_Plane(gp_Pln()));
   const TopoDS_Shape scratch = BRepBuilderAPI_MakeEdge(gp_Pnt(1, 1, 0), gp_Pnt(3, 2, 0)).Edge();
@@ -388,6 +388,7 @@ TEST(Dirty_shapes, edges_inside_faces_are_named)
   EXPECT_TRUE(meshed.shape.left_out.empty());
   ASSERT_EQ(meshed.shape.inner_edges.size(), 1u);
   EXPECT_EQ(meshed.shape.inner_edges[0].shape_face, 0u);
+  EXPECT_EQ(meshed.shape.inner_edges[0].reason, "");
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(face, TopAbs_EDGE, edges);
   EXPECT_TRUE(edges(int(meshed.shape.inner_edges[0].shape_edge) + 1).IsSame(scratch));

@@ -8,6 +8,7 @@
 #include "Local_size.h"
 #include "Mesh_callbacks.h"
 #include "Mesh_cad_fineness.h"
+#include "Mesh_cad_imprints.h"
 #include "Usage_error.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
@@ -36,6 +37,10 @@ struct Mesh_cad_options
   boost::optional<unsigned int> sweeps;
   unsigned int threads = 1, order = 1;
   double fuzzy = 0; // 0 for the tolerances of the file
+  std::vector<std::string> point_list;
+  std::vector<Point_on_faces> points; // from `point_list`
+  std::string curves;                 // a file
+  double reach = 0;                   // of points and curves; 0 if not given
   bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_version_wanted = false, is_list_wanted = false;
   bool are_node_parameters_wanted = false, is_binary = false;
   Mesh_callbacks callbacks; // of programs that use mesh_cad as a library
@@ -89,7 +94,9 @@ const char* const conclusion =
   "  second_order                   of six-node triangles: their smallest scaled Jacobian (1: straight,\n"
   "                                 0: folded), those not certified, edges curved less to avoid folds,\n"
   "                                 the largest distance of places of triangles from their surfaces\n"
-  "  inner_edges                    edges inside faces, which the mesh does not follow\n"
+  "  inner_edges, inner_vertices    edges and vertices inside faces, and why the mesh does not follow\n"
+  "                                 them if it does not\n"
+  "  imprints                       how far points of --point and curves of --curves were from the faces\n"
   "  repeated_faces                 faces of shells that the file has once more outside of shells\n"
   "  turned_edges                   edges at which the mesh is open since a shell cannot be oriented\n"
   "  contacts                       with --conformal, for each two parts that touch, overlap or nearly\n"
@@ -147,6 +154,10 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("sew", number(o.sewing_tolerance), "join edges of different faces that are at most this far apart; IGES files are sewn by default, 0 turns this off (IGES: 0.00001 of the diagonal, others: 0)")
     ("conformal", po::bool_switch(&o.is_conformal), "let parts that touch share their faces there, so that their meshes fit together; contacts, overlaps and gaps between parts are listed")
     ("fuzzy", number(o.fuzzy), "with --conformal, the distance up to which parts that do not quite touch, or overlap, are taken to touch (the tolerances of the file)")
+    ("point", po::value<std::vector<std::string>>(&o.point_list)->value_name("X,Y,Z"),
+     "put a point on the face closest to it, to be a vertex of the mesh; may be given several times. Faces and edges are counted after --point and --curves")
+    ("curves", text(o.curves, "FILE"), "put the edges of a STEP, IGES or BREP file on the faces close to them, for the mesh to follow")
+    ("reach", number(o.reach), "the largest distance of points and curves from the faces (1/50 of the diagonal)")
     ("heal", po::bool_switch(&o.is_healing_wanted), "let Open CASCADE repair the shape first (ShapeFix_Shape)");
   po::options_description output("Output", 92);
   mesh_patch::add_order(output, o.order);
@@ -171,7 +182,7 @@ inline void print_help(std::ostream& out)
 
 inline void check_values(const po::variables_map& given, const Mesh_cad_options& o)
 {
-  for(const char* option : {"max-edge", "min-edge", "gamma", "distance", "relative-distance", "detail", "closeness"})
+  for(const char* option : {"max-edge", "min-edge", "gamma", "distance", "relative-distance", "detail", "closeness", "reach"})
     mesh_patch::check_positive(given, option);
   if(given.count("elements-per-turn") != 0 && !(o.elements_per_turn >= 3 && o.elements_per_turn <= 1e6))
     throw Usage_error("--elements-per-turn: the number must be at least 3 and at most 1000000");
@@ -187,6 +198,8 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--list meshes nothing, and cannot be given with --out or --picture");
   if(!(o.fuzzy >= 0 && std::isfinite(o.fuzzy)))
     throw Usage_error("--fuzzy: the distance must be a finite number, at least 0");
+  if(given.count("reach") != 0 && given.count("point") == 0 && given.count("curves") == 0)
+    throw Usage_error("--reach has a meaning only with --point or --curves");
   if(given.count("fuzzy") != 0 && !o.is_conformal)
     throw Usage_error("--fuzzy has a meaning only with --conformal");
   if(o.self_intersections != "refine" && o.self_intersections != "report" && o.self_intersections != "ignore")
@@ -256,6 +269,8 @@ inline Mesh_cad_options read_mesh_cad_options(int argc, char** argv)
     o.local_sizes.push_back(local_size_in("local-size", size));
   for(const std::string& sphere : o.sphere_list)
     o.local_sizes.push_back(sphere_size_in("sphere-size", sphere));
+  for(const std::string& point : o.point_list)
+    o.points.push_back(point_in(point));
   return o;
 }
 

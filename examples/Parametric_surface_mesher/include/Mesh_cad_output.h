@@ -89,7 +89,8 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
 {
   const auto& shape = result.shape;
   nlohmann::ordered_json left_out = nlohmann::ordered_json::array(), gaps = nlohmann::ordered_json::array(),
-                         closed_up = nlohmann::ordered_json::array(), inner_edges = nlohmann::ordered_json::array();
+                         closed_up = nlohmann::ordered_json::array(), inner_edges = nlohmann::ordered_json::array(),
+                         inner_vertices = nlohmann::ordered_json::array();
   for(const auto& face : result.left_out)
     left_out.push_back({{"face", face.shape_face + 1}, {"reason", face.reason}});
   for(const auto& face : shape.closed_up)
@@ -97,7 +98,9 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
   for(const auto& gap : shape.gaps)
     gaps.push_back({{"edge", gap.shape_edge + 1}, {"face", gap.shape_face + 1}, {"distance", gap.distance}, {"tolerance", gap.tolerance}});
   for(const auto& edge : shape.inner_edges)
-    inner_edges.push_back({{"edge", edge.shape_edge + 1}, {"face", edge.shape_face + 1}});
+    inner_edges.push_back({{"edge", edge.shape_edge + 1}, {"face", edge.shape_face + 1}, {"not_followed", edge.reason}});
+  for(const auto& vertex : shape.inner_vertices)
+    inner_vertices.push_back({{"vertex", vertex.shape_vertex + 1}, {"face", vertex.shape_face + 1}, {"not_followed", vertex.reason}});
   return {{"removed_details", json_of_details(result)},
           {"file_faults", result.file_faults},
           {"diagonal", shape.diagonal},
@@ -115,6 +118,8 @@ inline nlohmann::ordered_json json_of_shape(const Mesh_cad_result& result)
           {"joined_vertices", shape.number_of_joined_vertices},
           {"reversed_faces", shape.number_of_reversed_faces},
           {"inner_edges", inner_edges},
+          {"inner_vertices", inner_vertices},
+          {"imprints", json_of_imprints(result.imprints)},
           {"repeated_faces", numbers_from_1(shape.repeated_faces)},
           {"turned_edges", numbers_from_1(shape.turned_edges)},
           {"contacts", json_of_contacts(result.contacts)},
@@ -233,6 +238,24 @@ inline void print_angles(std::ostream& out, const Mesh_cad_result& result)
     out << mesh_patch::plural(m.below_10, "triangle") << " below 10 (" << m.below_10_at_corners << " of them in sharp corners)\n";
 }
 
+inline void print_inner_elements(std::ostream& out, const CGAL::Open_cascade_model_3& shape)
+{
+  std::size_t number_of_edges = 0, number_of_vertices = 0;
+  for(const auto& edge : shape.inner_edges)
+    if(edge.reason.empty())
+      ++number_of_edges;
+    else
+      out << "  edge " << edge.shape_edge + 1 << " lies inside face " << edge.shape_face + 1 << "; the mesh does not follow it: " << edge.reason << "\n";
+  for(const auto& vertex : shape.inner_vertices)
+    if(vertex.reason.empty())
+      ++number_of_vertices;
+    else
+      out << "  vertex " << vertex.shape_vertex + 1 << " lies inside face " << vertex.shape_face + 1 << "; the mesh does not have it: " << vertex.reason << "\n";
+  if(number_of_edges + number_of_vertices > 0)
+    out << "  the mesh follows " << mesh_patch::plural(number_of_edges, "edge") << " and "
+        << mesh_patch::plural(number_of_vertices, "vertex", "vertices") << " inside faces\n";
+}
+
 inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
 {
   const auto& shape = result.shape;
@@ -246,8 +269,8 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
     out << "  face " << closed_up_text(face) << "\n";
   if(!collapsed_edges(shape).empty())
     out << "  " << mesh_patch::plural(collapsed_edges(shape).size(), "edge") << " collapsed to vertices\n";
-  for(const auto& edge : shape.inner_edges)
-    out << "  edge " << edge.shape_edge + 1 << " lies inside face " << edge.shape_face + 1 << "; the mesh does not follow it\n";
+  print_inner_elements(out, shape);
+  print_imprints(out, result.imprints);
   if(!shape.repeated_faces.empty())
     out << "  " << mesh_patch::plural(shape.repeated_faces.size(), "face")
         << " of shells are in the file once more, outside of shells, and meshed once\n";
@@ -326,15 +349,17 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
 }
 
 // What --list asks for.
-inline void list_parts(std::ostream& out, const Mesh_cad_options& options)
+inline void list_parts(std::ostream& out, const Mesh_cad_options& given)
 {
+  const double unit = unit_in_millimetres(given);
+  Mesh_cad_options options = given;
+  scale_lengths(unit, options);
   Mesh_cad_result result;
   Output_files files;
   if(!options.json.empty()) {
     mesh_patch::check_ending("json", options.json, {".json"});
     files.add(options.json, [&](std::ostream& json) { write_json(json, json_of_names(result.names)); });
   }
-  const double unit = unit_in_millimetres(options);
   const TopoDS_Shape shape = read_shape(options, result);
   print_parts(out, title(options), has_unit(options) ? options.unit : "the unit of the file", unit, result.names, shape);
   scale_lengths(1 / unit, result.names);

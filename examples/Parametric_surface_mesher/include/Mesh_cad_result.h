@@ -61,6 +61,7 @@ struct Mesh_cad_result
   std::vector<std::string> file_faults; // what the file contains and the shape lacks
   std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
   std::vector<Contact_of_parts> contacts; // with --conformal
+  std::vector<Imprint_on_faces> imprints; // with --point and --curves
   TopoDS_Shape open_cascade_shape; // that was meshed, in millimetres
   std::size_t number_of_sewn_edges = 0, number_of_lost_faces = 0; // joined and lost by sewing
   double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, second_order_seconds = 0, measuring_seconds = 0, intersections_seconds = 0;
@@ -199,6 +200,14 @@ inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result&
     if(!fused.history.IsNull())
       result.names = CGAL::carry_over_open_cascade_names(result.names, shape, fused.history, fused.shape);
     shape = fused.shape;
+  }
+  if(!options.points.empty() || !options.curves.empty()) {
+    const double reach = options.reach > 0 ? options.reach : default_share_of_reach * diagonal_of(shape);
+    const auto imprinted = imprint(shape, options.points, options.curves, reach, result.file_faults, result.imprints);
+    if(!imprinted.history.IsNull())
+      result.names = CGAL::carry_over_open_cascade_names(result.names, shape, imprinted.history, imprinted.shape);
+    name_imprints(imprinted, result.names);
+    shape = imprinted.shape;
   }
   return shape;
 }

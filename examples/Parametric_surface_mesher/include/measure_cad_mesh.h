@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <CGAL/Open_cascade_model_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/model/inner_elements.h>
 
 #include <algorithm>
 #include <array>
@@ -169,7 +170,8 @@ inline void measure_shape(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3
   for(std::size_t f = 0; f < model.faces().size(); ++f) {
     for(const auto& loop : model.faces()[f].loops)
       for(const auto& use : loop) {
-        perimeters[f] += lengths[use.edge];
+        if(!CGAL::Parametric_surface_mesher::internal::is_inner_edge(loop))
+          perimeters[f] += lengths[use.edge];
         if(!model.edges()[use.edge].is_collapsed && lengths[use.edge] < 1e-3 * shape.diagonal)
           tiny.insert(use.edge);
       }

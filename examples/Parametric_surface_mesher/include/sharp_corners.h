@@ -142,6 +142,9 @@ inline void add_corners_at_touches(const Model& model, double degrees, double mi
     if(ends.size() <= 2)
       continue;
     std::sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.direction < b.direction; });
+    for(std::size_t i = 0; i + 1 < ends.size(); ++i) // both uses of an edge inside the face, which enclose nothing
+      if(ends[i].end.use.edge == ends[i + 1].end.use.edge && ends[i].direction == ends[i + 1].direction && ends[i].is_domain_left)
+        std::swap(ends[i], ends[i + 1]);
     for(std::size_t i = 0; i < ends.size(); ++i) {
       const Directed_end &end = ends[i], &next = ends[(i + 1) % ends.size()];
       if(end.is_domain_left && !next.is_domain_left)

@@ -31,8 +31,12 @@ inline double millimetres_of(const std::string& unit)
 
 inline void scale_lengths(double factor, Mesh_cad_options& options)
 {
-  for(double* length : {&options.max_edge, &options.min_edge, &options.distance, &options.detail, &options.sewing_tolerance, &options.fuzzy})
+  for(double* length : {&options.max_edge, &options.min_edge, &options.distance, &options.detail, &options.sewing_tolerance, &options.fuzzy,
+                        &options.reach})
     *length *= factor;
+  for(auto& point : options.points)
+    for(double& coordinate : point)
+      coordinate *= factor;
   for(Local_size& size : options.local_sizes)
     scale(factor, size);
   if(options.callbacks.size)
@@ -80,6 +84,9 @@ void scale_lengths(double factor, Result& result)
     contact.common_volume *= factor * factor * factor;
     contact.distance *= factor;
   }
+  for(auto& imprint : result.imprints)
+    for(double* length : {&imprint.distance, &imprint.length, &imprint.projected_length})
+      *length *= factor;
   for(auto& detail : result.report.removed_details) {
     detail.moved *= factor;
     for(double& coordinate : detail.place)

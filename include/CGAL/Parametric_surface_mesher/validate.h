@@ -207,6 +207,7 @@ private:
     if(!std::isfinite(point.parameters.x()) || !std::isfinite(point.parameters.y()))
       throw Parametric_surface_mesh_error(place + " is not finite");
     check_length("wanted edge length", point.max_edge, place);
+    check_length("tolerance", point.tolerance, place);
   }
 
   void check_places_of_inner_points(std::size_t f) const
@@ -214,10 +215,11 @@ private:
     for(const auto& point : m_model.faces()[f].inner_points) {
       Gap gap;
       gap.add(m_model.faces()[f].surface.point(point.parameters.x(), point.parameters.y()), m_model.vertices()[point.vertex], "");
-      if(!(gap.distance <= m_tolerance))
+      const double tolerance = (std::max)(m_tolerance, point.tolerance);
+      if(!(gap.distance <= tolerance))
         throw Parametric_surface_mesh_error(numbered("face", f) + ": the inner point at (u,v) = " + describe(point.parameters) + " is "
                                             + describe(gap.distance) + " away from " + numbered("vertex", point.vertex)
-                                            + "; the tolerance is " + describe(m_tolerance));
+                                            + "; the tolerance is " + describe(tolerance));
     }
   }
 

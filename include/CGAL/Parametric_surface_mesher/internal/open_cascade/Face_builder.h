@@ -14,6 +14,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
 #include <CGAL/Open_cascade_model_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Face_interior.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Loop_closer.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_curves.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/find_sphere_chart.h>
@@ -21,14 +22,18 @@
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/order_uses.h>
 
 #include <BRep_Tool.hxx>
+#include <ShapeAnalysis_Surface.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <gp_Pnt.hxx>
+#include <gp_Pnt2d.hxx>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
@@ -106,8 +111,10 @@ public:
     for(const Loop& loop : loops)
       for(const Edge_use& use : loop)
         measure_gap(use);
+    Model::Face result{m_surface, std::move(loops)};
+    add_inner_elements(close, result);
     keep_gaps();
-    return Model::Face{m_surface, std::move(loops)};
+    return result;
   }
 
 private:
@@ -117,7 +124,7 @@ private:
     for(TopoDS_Iterator i(wire); i.More(); i.Next()) {
       const TopoDS_Edge edge = TopoDS::Edge(i.Value());
       if(edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED)
-        continue; // an edge inside or outside the face is no boundary
+        continue; // an edge inside or outside the face is no boundary; see `add_inner_elements()`
       const std::size_t number = std::size_t(m_edges.FindIndex(edge)) - 1;
       if(m_places[number].is_point)
         continue;
@@ -126,6 +133,60 @@ private:
         append_in_place(use, result);
     }
     return result;
+  }
+
+  // Adds what lies inside the face. What does not fit there is no reason to leave the face out; it is listed with the reason.
+  void add_inner_elements(Loop_closer& close, Model::Face& face)
+  {
+    const auto is_of_face = [this](const auto& inner) { return inner.shape_face == m_number; };
+    if(std::none_of(m_result.inner_edges.begin(), m_result.inner_edges.end(), is_of_face)
+       && std::none_of(m_result.inner_vertices.begin(), m_result.inner_vertices.end(), is_of_face))
+      return;
+    Face_interior interior(m_result.model, face);
+    for(auto& inner : m_result.inner_edges)
+      if(inner.shape_face == m_number && inner.reason.empty())
+        inner.reason = reason_of_error([&] {
+          const TopoDS_Edge edge = TopoDS::Edge(m_edges(int(inner.shape_edge) + 1).Oriented(TopAbs_FORWARD));
+          if(m_places[inner.shape_edge].is_point || BRep_Tool::Degenerated(edge))
+            throw Parametric_surface_mesh_error("it is a point");
+          Loop uses;
+          append_in_place({inner.shape_edge, false, domain_curve(edge, inner.shape_edge)}, uses);
+          for(Edge_use& use : uses) {
+            close.attach(use, face.loops);
+            measure_gap(use);
+            interior.add(use);
+          }
+        });
+    for(auto& inner : m_result.inner_vertices)
+      if(inner.shape_face == m_number && inner.reason.empty())
+        inner.reason = reason_of_error([&] { interior.add(inner_point(inner.shape_vertex)); });
+  }
+
+  template <class Function>
+  static std::string reason_of_error(const Function& function)
+  {
+    try {
+      function();
+      return "";
+    }
+    catch(const std::exception& error) {
+      return error.what();
+    }
+  }
+
+  // \pre vertices of the shape have the same numbers in the model
+  Model::Inner_point inner_point(std::size_t vertex) const
+  {
+    const Point_3& p = m_result.model.vertices()[vertex];
+    ShapeAnalysis_Surface surface(BRep_Tool::Surface(m_face));
+    const gp_Pnt2d found = surface.ValueOfUV(gp_Pnt(p.x(), p.y(), p.z()), least_tolerance * m_result.diagonal);
+    Kernel::Point_2 uv(found.X(), found.Y());
+    if(m_chart)
+      uv = m_chart->domain_point(m_original, uv);
+    const double distance = std::sqrt(squared_distance(m_surface.point(uv.x(), uv.y()), p));
+    if(!(distance <= refused_gap * m_result.diagonal))
+      throw Parametric_surface_mesh_error("it is " + describe(distance) + " away from the surface");
+    return {vertex, uv, 0, allowance_for_rounding * distance};
   }
 
   // Appends a use of an edge or, if the edge is replaced, uses of the edges in its place.

@@ -96,8 +96,24 @@ public:
     move_holes_inside(loops);
   }
 
+  // Makes the ends of the curve of an edge inside the face meet loops, and other such edges, exactly.
+  // \pre the loops are closed
+  // \throws Parametric_surface_mesh_error if an end is farther from its vertex in the domain than tolerances allow
+  void attach(Edge_use& use, const std::vector<Loop>& loops)
+  {
+    std::map<std::size_t, std::vector<Point_2>> corners; // those in the map of the loops may have been moved by periods
+    for(const Loop& loop : loops)
+      for(const Edge_use& of_loop : loop)
+        corners[begin_vertex(of_loop)].push_back(begin_point(of_loop));
+    move_inside(use, loops.front());
+    set_begin_point(use, attached(begin_vertex(use), begin_point(use), corners));
+    corners[begin_vertex(use)].push_back(begin_point(use)); // where it may end, too
+    set_end_point(use, attached(end_vertex(use), end_point(use), corners));
+  }
+
 private:
   const Model::Edge& edge(const Edge_use& use) const { return m_model.edges()[use.edge]; }
+  std::size_t begin_vertex(const Edge_use& use) const { return use.is_reversed ? edge(use).target : edge(use).source; }
   std::size_t end_vertex(const Edge_use& use) const { return use.is_reversed ? edge(use).source : edge(use).target; }
 
   static Point_2 begin_point(const Edge_use& use) { return use.is_reversed ? use.curve.target() : use.curve.source(); }
@@ -325,18 +341,44 @@ private:
 
   void move_holes_inside(std::vector<Loop>& loops) const
   {
-    const auto box = [](const Loop& loop) {
-      return loop_box(loop, [](const Edge_use& use) -> const auto& { return use.curve; });
-    };
-    const Bbox_2 outer = box(loops.front());
     for(std::size_t l = 1; l < loops.size(); ++l) {
-      const Bbox_2 inner = box(loops[l]);
-      const Vector_2 d(shift(inner.xmin(), inner.xmax(), outer.xmin(), outer.xmax(), m_surface.u_period()),
-                       shift(inner.ymin(), inner.ymax(), outer.ymin(), outer.ymax(), m_surface.v_period()));
+      const Vector_2 d = shift_inside(box(loops[l]), box(loops.front()));
       if(d != Vector_2(0, 0))
         for(Edge_use& use : loops[l])
           use.curve = translated(use.curve, d);
     }
+  }
+
+  void move_inside(Edge_use& use, const Loop& outer) const
+  {
+    const Vector_2 d = shift_inside(box({use}), box(outer));
+    if(d != Vector_2(0, 0))
+      use.curve = translated(use.curve, d);
+  }
+
+  // The corner at which an edge inside the face ends: the closest one of its vertex, or a new one.
+  Point_2 attached(std::size_t vertex, const Point_2& p, const std::map<std::size_t, std::vector<Point_2>>& corners) const
+  {
+    const auto found = corners.find(vertex);
+    if(found == corners.end())
+      return p;
+    const Point_2 corner = *std::min_element(found->second.begin(), found->second.end(), [&](const Point_2& a, const Point_2& b) {
+      return squared_distance(a, p) < squared_distance(b, p);
+    });
+    if(!are_close(p, corner, tolerance(vertex)))
+      check_gap(p, corner, vertex);
+    return corner;
+  }
+
+  static Bbox_2 box(const Loop& loop)
+  {
+    return loop_box(loop, [](const Edge_use& use) -> const auto& { return use.curve; });
+  }
+
+  Vector_2 shift_inside(const Bbox_2& inner, const Bbox_2& outer) const
+  {
+    return Vector_2(shift(inner.xmin(), inner.xmax(), outer.xmin(), outer.xmax(), m_surface.u_period()),
+                    shift(inner.ymin(), inner.ymax(), outer.ymin(), outer.ymax(), m_surface.v_period()));
   }
 
   // The whole periods that move the middle of a range into another range; 0 if none do.

@@ -31,6 +31,7 @@
 #include <TopTools_ListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Vertex.hxx>
 
@@ -42,6 +43,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -88,7 +90,7 @@ public:
                                 trusted_tolerance * m_result.diagonal);
     m_result.number_of_joined_vertices = join_vertices(m_faces);
     close_narrow_faces(closed_up_width * m_result.diagonal);
-    list_inner_edges();
+    list_inner_elements();
     add_shells(shape);
     orient();
     m_result.shape_vertices.resize(model().vertices().size(), Open_cascade_model_3::none);
@@ -221,12 +223,28 @@ private:
       m_result.model_edges.back().push_back(e);
   }
 
-  void list_inner_edges()
+  void list_inner_elements()
   {
-    for(int f = 1; f <= m_faces.Extent(); ++f)
-      for(TopExp_Explorer edge(m_faces(f).Oriented(TopAbs_FORWARD), TopAbs_EDGE); edge.More(); edge.Next())
-        if(!is_on_boundary(edge.Current()))
-          m_result.inner_edges.push_back({std::size_t(m_edges.FindIndex(edge.Current())) - 1, std::size_t(f) - 1});
+    for(int f = 1; f <= m_faces.Extent(); ++f) {
+      TopTools_MapOfShape known; // an edge on the boundary is followed already
+      const TopoDS_Shape face = m_faces(f).Oriented(TopAbs_FORWARD);
+      for(TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
+        if(is_on_boundary(edge.Current()))
+          known.Add(edge.Current());
+      for(TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
+        if(known.Add(edge.Current()))
+          m_result.inner_edges.push_back({std::size_t(m_edges.FindIndex(edge.Current())) - 1, std::size_t(f) - 1,
+                                          reason_against(edge.Current())});
+      for(TopoDS_Iterator vertex(face); vertex.More(); vertex.Next())
+        if(vertex.Value().ShapeType() == TopAbs_VERTEX && known.Add(vertex.Value()))
+          m_result.inner_vertices.push_back({std::size_t(m_vertices.FindIndex(vertex.Value())) - 1, std::size_t(f) - 1,
+                                             reason_against(vertex.Value())});
+    }
+  }
+
+  static std::string reason_against(const TopoDS_Shape& element)
+  {
+    return element.Orientation() == TopAbs_EXTERNAL ? "it is marked as outside of the face" : "";
   }
 
   // Whether an edge, with its orientation in a face, is a part of the boundary.

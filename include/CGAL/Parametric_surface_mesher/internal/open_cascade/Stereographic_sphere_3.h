@@ -77,6 +77,14 @@ public:
                  other.begin(), other.end());
   }
 
+  // Converts a point of the domain of another parametrisation of the same sphere.
+  template <class Surface>
+  Point_2 domain_point(const Surface& surface, const Point_2& other) const
+  {
+    const Vector_3 n = in_frame(surface.point(other.x(), other.y()) - m_frame.origin());
+    return Point_2(n.x() / (1 - n.z()), n.y() / (1 - n.z()));
+  }
+
 private:
   // A point of a curve in space with its derivatives.
   struct Space_jet

@@ -40,6 +40,10 @@ inline Open_cascade_model_3 in_numbers_of_shape(Open_cascade_model_3 model, cons
   std::for_each(model.closed_up.begin(), model.closed_up.end(), rename_face);
   rename_face_and_edge(model.gaps);
   rename_face_and_edge(model.inner_edges);
+  for(auto& inner : model.inner_vertices) {
+    rename_face(inner);
+    inner.shape_vertex = division.old_vertex(inner.shape_vertex);
+  }
   std::vector<std::vector<std::size_t>> model_edges(division.number_of_old_edges());
   for(std::size_t e = 0; e < model.model_edges.size(); ++e)
     if(division.old_edge(e) != Crease_division::no_index) {

@@ -18,9 +18,11 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -61,6 +63,7 @@ public:
       fill_faces(m_from.parts[i]);
     });
     connect_borders();
+    connect_inner_points();
     if(Maps::has_edge_places)
       put_places_of_borders();
   }
@@ -123,6 +126,27 @@ private:
     for(const auto& side : m_border.sides())
       if(side.is_alone)
         connect_border(opposite(m_elements.new_halfedge(m_from.parts[side.part].halfedge(side.side)), m_mesh));
+  }
+
+  // Points inside faces, which are on no border of a part.
+  void connect_inner_points()
+  {
+    std::vector<bool> are_inner;
+    for(const auto& place : m_from.places)
+      are_inner.push_back(place.is_inside_face && place.dimension == 0);
+    if(std::find(are_inner.begin(), are_inner.end(), true) == are_inner.end())
+      return;
+    for(const auto& side : m_border.sides())
+      for(const std::size_t v : {m_from.parts[side.part].source(side.side), m_from.parts[side.part].target(side.side)})
+        if(v < are_inner.size())
+          are_inner[v] = false;
+    for(const Part& part : m_from.parts)
+      for(std::size_t f = 0; f < part.faces.size(); ++f)
+        for(std::size_t k = 0; k < 3; ++k) {
+          const std::size_t v = part.faces[f][(k + 1) % 3];
+          if(v < are_inner.size() && are_inner[v])
+            set_halfedge(m_elements.new_vertex(v), m_elements.new_halfedge(part.halfedges[f][k]), m_mesh);
+        }
   }
 
   // The sides of one edge follow each other. Those before this are the places of edges that parts do not share.

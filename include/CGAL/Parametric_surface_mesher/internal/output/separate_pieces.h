@@ -13,9 +13,11 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,7 +26,8 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // Makes a mesh manifold where several pieces of it meet in a vertex: each piece gets its own copy. Two triangles belong to the
-// same piece if they run through a common edge in opposite directions and no third triangle of their shell has it.
+// same piece if they run through a common edge in opposite directions and no third triangle of their shell has it; or if the edge lies
+// inside the face that both of them belong to.
 template <class Kernel>
 class Piece_separator
 {
@@ -100,19 +103,41 @@ private:
     }
   }
 
-  // For each edge at the vertex, by shell and by the vertex at its other end: the corners whose triangle runs along the edge away
-  // from the vertex, and those whose triangle runs back to it.
-  std::map<std::pair<std::size_t, std::size_t>, std::array<std::vector<std::size_t>, 2>> sides() const
+  // The shell, or if the edge lies inside the patch that, and the vertex at the other end of an edge.
+  typedef std::tuple<bool, std::size_t, std::size_t> Key_of_edge;
+
+  // For each edge at the vertex: the corners whose triangle runs along the edge away from the vertex, and those whose triangle runs
+  // back to it.
+  std::map<Key_of_edge, std::array<std::vector<std::size_t>, 2>> sides() const
   {
-    std::map<std::pair<std::size_t, std::size_t>, std::array<std::vector<std::size_t>, 2>> result;
+    std::map<Key_of_edge, std::array<std::vector<std::size_t>, 2>> result;
     for(std::size_t i = 0; i < m_corners.size(); ++i) {
       const Part& part = m_mesh.parts[m_corners[i].part];
       const auto& face = part.faces[m_corners[i].face];
-      const std::size_t shell = m_shells[part.patch], k = m_corners[i].number;
-      result[{shell, face[(k + 1) % 3]}][0].push_back(i);
-      result[{shell, face[(k + 2) % 3]}][1].push_back(i);
+      const std::size_t k = m_corners[i].number;
+      result[key(part.patch, face[k], face[(k + 1) % 3])][0].push_back(i);
+      result[key(part.patch, face[k], face[(k + 2) % 3])][1].push_back(i);
     }
     return result;
+  }
+
+  Key_of_edge key(std::size_t patch, std::size_t vertex, std::size_t other_end) const
+  {
+    const bool is_inside = is_inside_face(vertex) && is_inside_face(other_end) && number_of_triangles(patch, other_end) == 2;
+    return {is_inside, is_inside ? patch : m_shells[patch], other_end};
+  }
+
+  // Whether a vertex lies on an edge inside a face.
+  bool is_inside_face(std::size_t vertex) const { return vertex < m_mesh.places.size() && m_mesh.places[vertex].is_inside_face; }
+
+  // Those of a patch at an edge of the vertex.
+  std::size_t number_of_triangles(std::size_t patch, std::size_t other_end) const
+  {
+    return std::size_t(std::count_if(m_corners.begin(), m_corners.end(), [&](const Corner& corner) {
+      const Part& part = m_mesh.parts[corner.part];
+      const auto& face = part.faces[corner.face];
+      return part.patch == patch && std::find(face.begin(), face.end(), other_end) != face.end();
+    }));
   }
 };
 

@@ -59,12 +59,14 @@ public:
   {
     if(chart().is_identity())
       return;
-    for(const auto& loop : loops)
-      for(std::size_t i = 0; i < loop.size() && !lies_inside(loop); ++i) {
-        const std::size_t n = loop.size();
+    for(const auto& loop : loops) {
+      if(lies_inside(loop))
+        continue; // an edge that ends at a pole has the domain all around
+      const std::size_t n = loop.size();
+      for(std::size_t i = 0; i < n; ++i)
         if(chart().is_pole(loop[i].domain_point))
           insert_ring(loop[i], loop[(i + n - 1) % n], loop[(i + 1) % n]);
-      }
+    }
   }
 
 private:

@@ -276,14 +276,17 @@ private:
   void mark_domain()
   {
     Inner_segments inner_segments;
-    for(std::size_t l = 0; l < m_loops.size(); ++l)
-      if(lies_inside(m_loops[l]) && !is_single_point(m_loops[l]))
+    std::vector<bool> are_inside; // by loop
+    for(std::size_t l = 0; l < m_loops.size(); ++l) {
+      are_inside.push_back(lies_inside(m_loops[l]));
+      if(are_inside.back() && !is_single_point(m_loops[l]))
         add_inner_segments(m_vertices.begin() + std::ptrdiff_t(m_starts[l]), m_vertices.begin() + std::ptrdiff_t(m_starts[l + 1]),
                            inner_segments);
+    }
     set_nesting_levels(m_triangulation, inner_segments);
     std::vector<bool> is_checked(m_loops.size(), false);
     for_each_segment([&](std::size_t l, Vertex_handle a, Vertex_handle b) {
-      if(lies_inside(m_loops[l]))
+      if(are_inside[l])
         check_is_inside(m_triangulation, m_loops[l], l, a);
       else if(!is_checked[l])
         check_nesting(m_triangulation, l, a, b);
