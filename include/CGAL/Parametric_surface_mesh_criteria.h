@@ -155,7 +155,8 @@ public:
   /// minimum edge; so are edges more than 2.5 times as long as a neighbour on the loop, and edges that are longer than
   /// one across the face by more than the distance between them. Where halves would be shorter than the minimum edge, several
   /// edges in a row are replaced by as many more as have room, and points are moved along narrow faces to where they are
-  /// opposite to the middles of edges. The points of an edge of a model are the same for all its faces.
+  /// opposite to the middles of edges. Where this leaves angles below 10 degrees, edges become shorter than the minimum edge, as long as
+  /// that makes no more than a few percent more triangles in all. The points of an edge of a model are the same for all its faces.
   /// Narrow faces thus get more triangles, without small angles. A value of 1.8 leaves room for angles of 30
   /// degrees. By default the width of faces does not count. Range: positive.
   Parametric_surface_mesh_criteria& set_closeness(double c)

@@ -94,6 +94,8 @@ struct Parametric_surface_mesh_report
   std::size_t number_of_split_boundary_edges = 0;
   /// how often a piece of the division was halved because its face is narrow there, or its neighbour short
   std::size_t number_of_edges_split_by_closeness = 0;
+  /// how many more pieces the division has where faces are so narrow that pieces are shorter than the minimum edge
+  std::size_t number_of_edges_added_to_thin_strips = 0;
   /// points where the parametrisation is singular within an edge length, and chords gave the tensor in place of derivatives,
   /// or where the tensor of the metric field was not positive definite and was replaced
   std::size_t number_of_replaced_tensors = 0;

@@ -130,6 +130,41 @@ TEST(Mesh_sizes, staggering_makes_no_pieces_cross)
   }
 }
 
+// Two slots in a plate, with a bridge between them that is much narrower than the minimum edge is long.
+TEST(Mesh_sizes, closeness_divides_thin_strips_below_the_minimum_edge)
+{
+  typedef sample_surfaces::Domain Domain;
+  const auto rectangle = [](double x0, double x1, double y0, double y1) { return Domain::rectangle(x0, x1, y0, y1).loops().front(); };
+  for(double slant : {0., 0.01}) {
+    Domain plate = Domain::rectangle(0, 10, 0, 10);
+    plate.add_hole(rectangle(4, 6, 5, 5.5));
+    plate.add_hole({Domain::Curve::segment({4, 4.5}, {6, 4.5}), Domain::Curve::segment({6, 4.5}, {6, 4.99 - slant}),
+                    Domain::Curve::segment({6, 4.99 - slant}, {4, 4.99}), Domain::Curve::segment({4, 4.99}, {4, 4.5})});
+    const Criteria criteria = Criteria().set_max_edge(0.2).set_min_edge(0.08);
+    Mesh without, mesh;
+    EXPECT_LT(add_patch(make_sample("flat").surface, plate, criteria, without).smallest_angle, 4);
+    const Report report = add_patch(make_sample("flat").surface, plate, Criteria(criteria).set_closeness(1.8), mesh);
+    EXPECT_GT(report.smallest_angle, 13) << slant;
+    EXPECT_GT(report.number_of_edges_added_to_thin_strips, 0u);
+    EXPECT_LT(mesh.number_of_faces(), 1.1 * without.number_of_faces());
+  }
+}
+
+// The ring is all that there is: edges short enough for it would make ten times as many triangles.
+TEST(Mesh_sizes, closeness_keeps_the_minimum_edge_where_it_would_cost_too_much)
+{
+  typedef sample_surfaces::Domain Domain;
+  Domain ring(Domain::Loop{Domain::Curve::circle({0, 0}, 5.01)});
+  ring.add_hole({Domain::Curve::circle({0, 0}, 5)});
+  Mesh mesh;
+  const Report report
+    = add_patch(make_sample("flat").surface, ring, Criteria().set_max_edge(5).set_min_edge(0.1).set_closeness(1.8), mesh);
+  for(const auto e : mesh.edges())
+    if(mesh.is_border(e)) {
+      EXPECT_GT(length(mesh, e), 0.1);
+    }
+}
+
 TEST(Mesh_sizes, closeness_keeps_the_minimum_edge)
 {
   const Sample flat = make_sample("flat");

@@ -29,7 +29,7 @@ struct Mesh_cad_options
   std::vector<std::string> sphere_list, local_list, part_lists;
   std::string fineness = "normal";
   double elements_per_turn = 0; // 0 if not given
-  double share_of_max_edge = 0; // of the diagonal, from `fineness`
+  double share_of_max_edge = 1. / 20; // of the diagonal, from `fineness`
   double max_edge = 0, min_edge = 0, distance = 0, detail = 0; // 0 if not given
   double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8, growth = 0;
   double sewing_tolerance = -1; // 0 for never, below 0 if not given

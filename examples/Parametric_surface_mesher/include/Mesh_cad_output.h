@@ -334,6 +334,9 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
   if(!m.tiny_edges.empty() || !m.sliver_faces.empty())
     out << "  " << mesh_patch::plural(m.tiny_edges.size(), "tiny edge") << ", "
         << mesh_patch::plural(m.sliver_faces.size(), "sliver face") << "\n";
+  if(result.report.number_of_edges_added_to_thin_strips > 0)
+    out << "  " << mesh_patch::plural(result.report.number_of_edges_added_to_thin_strips, "edge")
+        << " more along faces so narrow that edges there are shorter than the minimum edge\n";
   out << "  distance from the shape: at most " << m.distance << " (" << m.distance / result.shape.diagonal
       << " of its diagonal)";
   const double rounding = 1e-6;

@@ -13,7 +13,9 @@
 #include <CGAL/Parametric_surface_mesher/internal/division/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Strip_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Strip_staggering.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/Thin_strips.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Triangulated_boundary.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/divide_thin_strips.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/name_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/Mesh_progress.h>
 
@@ -35,7 +37,8 @@ namespace internal {
 // Where a face is narrower than the pieces of its boundary are long, triangles across it are flat, and no point inside can
 // help. This class halves such pieces, as far as the minimum edge allows. It also halves pieces that are much longer than a
 // neighbour on the loop, and pieces so much longer than those across the face that triangles cannot grow from one side to the
-// other. The pieces at the tip of a cusp stay. Where pieces cannot be halved, points are moved along the edges of the strip.
+// other. The pieces at the tip of a cusp stay. Where that leaves angles below 10 degrees, pieces become shorter than the minimum edge
+// as long as that is cheap. Where pieces cannot be divided, points are moved along the edges of the strip.
 template <class Oracle>
 class Closeness_refinement
 {
@@ -82,6 +85,8 @@ class Closeness_refinement
   Crossing_refinement<Oracle>& m_refine_crossings;
   Patch_progress& m_progress;
   std::set<std::size_t> m_faces_with_strips; // those narrower than pieces that cannot be halved
+  std::set<std::size_t> m_faces_with_thin_strips;
+  Divided_thin_strips m_thin_strips;
 
 public:
   // `boundaries` has the boundary of each face; these are kept up to date with the division. `refine_crossings` is called
@@ -98,9 +103,26 @@ public:
   // Returns the number of pieces that were halved. After a stop the division stays as it is.
   std::size_t operator()()
   {
-    std::size_t number_of_splits = 0;
     std::vector<std::size_t> faces(m_oracles.size());
     std::iota(faces.begin(), faces.end(), 0);
+    std::size_t result = halve(faces);
+    if(!m_faces_with_thin_strips.empty() && m_progress.go_further()) {
+      m_thin_strips = divide_thin_strips(m_division, m_oracles, m_criteria, m_boundaries, m_faces_with_thin_strips);
+      m_refine_crossings();
+      result += halve({m_thin_strips.faces.begin(), m_thin_strips.faces.end()});
+    }
+    divide_strips();
+    stagger_strips();
+    return result;
+  }
+
+  const Divided_thin_strips& thin_strips() const { return m_thin_strips; }
+
+private:
+  // Halves pieces of these faces, and of those that use the same edges, until none is too long.
+  std::size_t halve(std::vector<std::size_t> faces)
+  {
+    std::size_t result = 0;
     for(int round = 0; round < max_number_of_rounds && !faces.empty() && m_progress.go_further(); ++round) {
       std::set<Piece> pieces;
       for(std::size_t face : faces)
@@ -108,17 +130,14 @@ public:
           is_done_for(face, [&] { collect(face, pieces); });
       for(auto piece = pieces.begin(); piece != pieces.end();)
         piece = m_division.is_kept(*piece) ? pieces.erase(piece) : std::next(piece);
-      number_of_splits += pieces.size();
+      result += pieces.size();
       m_division.split(pieces);
       faces = m_division.faces_at(pieces);
       m_refine_crossings();
     }
-    divide_strips();
-    stagger_strips();
-    return number_of_splits;
+    return result;
   }
 
-private:
   template <class Function>
   bool is_done_for(std::size_t face, const Function& function)
   {
@@ -267,14 +286,16 @@ private:
     for(std::size_t i = 0; i < n; ++i) {
       const std::size_t next = (i + 1) % n;
       const Vertex_handle v = loop[i], w = loop[next];
-      const double l = lengths[i];
+      const double l = lengths[i], width = this->width(v, w, triangulation);
+      if(Thin_strips<Oracle>::is_thin(l, width, m_criteria.min_edge(), hopeless_share * m_criteria.min_edge()))
+        m_faces_with_thin_strips.insert(face);
       if(!(l >= 2 * m_criteria.min_edge())) {
-        if(l > width(v, w, triangulation))
+        if(l > width)
           m_faces_with_strips.insert(face);
         continue;
       }
       const double neighbor = (std::min)(lengths[(i + n - 1) % n], lengths[next]);
-      if(is_longer(l, max_ratio * neighbor) || is_longer(l, *m_criteria.closeness() * width(v, w, triangulation))
+      if(is_longer(l, max_ratio * neighbor) || is_longer(l, *m_criteria.closeness() * width)
          || l > (std::min)(sizes[i], sizes[next])) {
         const Piece piece = m_division.piece(face, number, segments[i]);
         if(m_division.can_be_split(piece))

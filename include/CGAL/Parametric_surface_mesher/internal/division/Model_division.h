@@ -129,6 +129,10 @@ public:
 
   const Model& model() const { return m_model; }
   const Model_uses<Model>& uses() const { return m_divider.uses(); }
+
+  // The bounding box of the loops of a face in its domain.
+  const Bbox_2& box(std::size_t face) const { return m_divider.box(face); }
+
   std::size_t number_of_points() const { return m_numbering.number_of_points(); }
 
   // The number of edges of the division.

@@ -59,7 +59,7 @@ private:
   static constexpr double share_of_flat = 0.1; // a facet with less than this share of the deviations stays as it is
   // Edges become shorter by these factors at once, and in so many rounds.
   static constexpr double least_factor = 0.125, largest_factor = 0.7;
-  static constexpr int max_number_of_rounds = 5;
+  static constexpr int max_number_of_rounds = 10;
   // No edge becomes shorter than this share of the minimum edge.
   static constexpr double share_of_min_edge = 1. / 16;
   // As shares of the longest edge, and of the minimum edge: what is less counts as nothing; surfaces that are closer touch.

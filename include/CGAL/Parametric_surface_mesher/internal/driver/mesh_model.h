@@ -15,6 +15,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/division/Crossing_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Place_in_model.h>
+#include <CGAL/Parametric_surface_mesher/internal/division/Sizes_beside_strips.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Triangulated_boundary.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Face_job.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Faces_of_points.h>
@@ -72,6 +73,7 @@ private:
   const std::vector<typename Model::Surface_3> m_surfaces;
   const std::vector<Oracle> m_oracles;
   std::vector<Triangulated_boundary<Oracle>> m_boundaries; // of the faces, if closeness has made them; a job takes its own
+  Sizes_beside_strips m_sizes_beside_strips;
   std::vector<bool> m_are_reversed; // by face, as far as they are appended
   std::optional<Other_sides> m_other_sides; // once the edges are divided
   Mesh_progress& m_progress;
@@ -103,6 +105,8 @@ public:
     if(m_criteria.closeness() && progress.go_further()) {
       Closeness_refinement<Oracle> refine_narrow_faces(division, m_oracles, m_criteria, m_boundaries, refine, progress);
       m_report.number_of_edges_split_by_closeness = refine_narrow_faces();
+      m_report.number_of_edges_added_to_thin_strips = refine_narrow_faces.thin_strips().number_of_pieces;
+      m_sizes_beside_strips = refine_narrow_faces.thin_strips().sizes;
     }
     m_report.number_of_split_boundary_edges = refine.number_of_splits();
     m_bad_faces.check_that_some_are_good(m_model.faces().size());
@@ -237,6 +241,7 @@ private:
     if(job.is_kept() && !job.is_limited_by(limit_of_face(job, number_of_vertices)) && !may_have_common_chord(job, faces_of_points, mesh))
       return;
     Criteria criteria = criteria_of_face(m_criteria, m_model.faces()[job.face()]);
+    m_sizes_beside_strips.set(job.face(), criteria);
     criteria.set_max_number_of_vertices(limit_of_face(job, number_of_vertices));
     job.template run<ConcurrencyTag>(m_oracles[job.face()], criteria, triangulated_boundary(job), m_progress);
     if(!may_have_common_chord(job, faces_of_points, mesh))
