@@ -13,6 +13,7 @@ packages=(
   libtet1.5-dev
   libtbb-dev
   libocct-data-exchange-dev occt-misc
+  pybind11-dev python3-numpy python3-dev
   "$@"
 )
 

@@ -108,6 +108,12 @@ public:
     return std::holds_alternative<Parametric_surface_mesher::internal::Kernel_surface_3<Geom_traits>>(*m_surface);
   }
 
+  /// tells whether the parameters are others than those of the face: some parts of spheres are meshed in coordinates without poles.
+  bool is_reparametrized() const
+  {
+    return std::holds_alternative<Parametric_surface_mesher::internal::Stereographic_sphere_3<Geom_traits>>(*m_surface);
+  }
+
   /// `S(u,v)`
   Point_3 point(double u, double v) const
   {

@@ -163,7 +163,7 @@ inline po::options_description described_options(Mesh_cad_options& o)
   mesh_patch::add_order(output, o.order);
   output.add_options()
     ("list", po::bool_switch(&o.is_list_wanted), "print the parts of the assembly, their sizes, and what has names, and stop; --json writes them")
-    ("out,o", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv, .glb or, if built with the MED library, .med")
+    ("out,o", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv, .glb, .brep (the shape with the mesh as its triangulation, for Open CASCADE) or, if built with the MED library, .med")
     ("binary", po::bool_switch(&o.is_binary), "write .stl, .off and .ply as binary files; .vtu always is one")
     ("node-parameters", po::bool_switch(&o.are_node_parameters_wanted), "write the parameters of nodes on edges and faces, too, to .msh (Gmsh reads them, meshio does not) and .vtu")
     ("picture", text(o.picture, "FILE"), "a picture of the mesh, as .svg")

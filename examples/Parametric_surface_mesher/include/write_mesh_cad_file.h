@@ -19,9 +19,14 @@
 #include <CGAL/IO/write_element_STL.h>
 #include <CGAL/IO/write_element_VTU.h>
 #include <CGAL/make_element_mesh.h>
+#include <CGAL/write_triangulation_onto_open_cascade_shape.h>
 #ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_MED
 #include <CGAL/IO/write_MED.h>
 #endif
+
+#include <BRepTools.hxx>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -125,6 +130,20 @@ inline void write_med(std::ostream& out, const Mesh_cad_options& options, const 
 inline void write_med(std::ostream&, const Mesh_cad_options&, const Mesh_cad_result&) {} // the ending is refused before
 #endif
 
+// The shape itself, in millimetres, with the mesh as its triangulation.
+inline void write_brep(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  const double unit = unit_in_millimetres(options);
+  const auto points = boost::make_function_property_map<Cad_mesh::Mesh::Vertex_index, Kernel::Point_3>(
+    [&mesh = result.mesh.mesh, unit](Cad_mesh::Mesh::Vertex_index v) {
+      const auto& p = mesh.point(v);
+      return Kernel::Point_3(unit * p.x(), unit * p.y(), unit * p.z());
+    });
+  CGAL::write_triangulation_onto_open_cascade_shape(
+    result.shape, result.mesh.mesh, result.mesh.places(CGAL::parameters::vertex_point_map(points)), result.open_cascade_shape);
+  BRepTools::Write(result.open_cascade_shape, out);
+}
+
 // The endings of files for solvers, which have elements of second order, too.
 inline std::vector<std::string> endings_for_solvers()
 {
@@ -137,7 +156,7 @@ inline std::vector<std::string> endings_for_solvers()
 
 inline std::vector<std::string> all_endings()
 {
-  std::vector<std::string> result{".off", ".obj", ".ply", ".stl", ".glb"};
+  std::vector<std::string> result{".off", ".obj", ".ply", ".stl", ".glb", ".brep"};
   for(const std::string& ending : endings_for_solvers())
     result.push_back(ending);
   return result;
@@ -158,6 +177,8 @@ inline void write_result(std::ostream& out, const std::string& file_name, const 
     }
   if(mesh_patch::has_ending(file_name, ".glb"))
     write_glb(out, options, result);
+  else if(mesh_patch::has_ending(file_name, ".brep"))
+    write_brep(out, options, result);
   else if(mesh_patch::has_ending(file_name, ".med"))
     write_med(out, options, result);
   else if(mesh_patch::has_ending(file_name, ".ply"))

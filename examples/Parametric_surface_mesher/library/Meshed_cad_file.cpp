@@ -191,7 +191,8 @@ std::vector<std::pair<std::string, std::string>> Meshed_cad_file::options()
 {
   Mesh_cad_options defaults;
   std::vector<std::pair<std::string, std::string>> result;
-  for(const auto& option : mesh_cad::described_options(defaults).options())
+  const auto described = mesh_cad::described_options(defaults);
+  for(const auto& option : described.options())
     result.emplace_back(option->long_name(), option->description());
   return result;
 }

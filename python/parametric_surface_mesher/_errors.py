@@ -1,0 +1,31 @@
+# This file is part of Parametric_surface_mesher, an extension package of CGAL.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sentences of the compiled part, in the words of Python."""
+from __future__ import annotations
+
+import contextlib
+import re
+from typing import Iterator
+
+from . import _core
+
+
+class MeshingError(RuntimeError):
+    """Input that cannot be read or meshed. The message names the place, and what to change."""
+
+
+def _renamed(sentence: str) -> str:
+    """Options are named as arguments: --max-edge is max_edge."""
+    return re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda match: match.group(1).replace("-", "_"), sentence).replace(
+        "; help lists the options", "; help(mesh_cad) lists the options")
+
+
+@contextlib.contextmanager
+def sentences() -> Iterator[None]:
+    """Raises what the compiled part raises as MeshingError, with one sentence."""
+    try:
+        yield
+    except MemoryError:
+        raise MemoryError("the memory is too small for this mesh; choose a larger max_edge or min_edge") from None
+    except _core.CoreError as error:
+        raise MeshingError(_renamed(str(error))) from None
