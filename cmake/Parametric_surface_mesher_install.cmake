@@ -26,11 +26,14 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/Parametric_surface_mesher
 install(FILES
   cmake/Parametric_surface_mesher_Open_cascade_support.cmake
   cmake/Parametric_surface_mesher_Med_support.cmake
+  cmake/Parametric_surface_mesher_Page_support.cmake
   cmake/Parametric_surface_mesher_programs.cmake
+  cmake/make_mesh_page_source.cmake
   ${PROJECT_BINARY_DIR}/Parametric_surface_mesherConfig.cmake
   ${PROJECT_BINARY_DIR}/Parametric_surface_mesherConfigVersion.cmake
   DESTINATION ${config_dir}
   COMPONENT ${development_component})
+install(DIRECTORY page DESTINATION ${config_dir} COMPONENT ${development_component})
 
 # For those who build without CMake. The compiler option is the one that CGAL's own target has.
 configure_file(cmake/parametric_surface_mesher.pc.in ${PROJECT_BINARY_DIR}/parametric_surface_mesher.pc @ONLY)
@@ -61,7 +64,7 @@ if(is_top_level)
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_NAME ${development_component})
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_ARCHITECTURE all)
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev, libboost-dev")
-  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SUGGESTS "libtbb-dev, libocct-data-exchange-dev, libmedc-dev")
+  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SUGGESTS "libtbb-dev, libocct-data-exchange-dev, libmedc-dev, libjs-three")
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER_PACKAGE_NAME ${programs_component})
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER_PACKAGE_SHLIBDEPS ON)

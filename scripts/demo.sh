@@ -4,7 +4,7 @@
 #
 # Installs what is missing, builds mesh_patch and mesh_cad, and meshes the Utah teapot, the paper's four kinds of surface and
 # a CAD file that a package of Debian brings along.
-# Meshes (.off), pictures (.svg) and numbers (.json) go to build/demo/.
+# Meshes (.off), pages to look at in a browser (.html), pictures (.png, .svg) and numbers (.json) go to build/demo/.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -27,13 +27,22 @@ programs=build/examples/Parametric_surface_mesher
 out=build/demo
 mkdir -p "$out"
 results=()
+# As far as what they need is installed.
+picture=png
+if grep -q "write pictures as .svg only" build/configure.log; then
+  picture=svg
+fi
+pages=yes
+if grep -q "without pages to look at" build/configure.log; then
+  pages=
+fi
 
 # mesh NAME SURFACE [option...]
 mesh() {
   local name=$1
   shift
   echo "== Meshing $name"
-  "$programs/mesh_patch" "$@" --out "$out/$name.off" --picture "$out/$name.svg" --json "$out/$name.json"
+  "$programs/mesh_patch" "$@" --out "$out/$name.off" --picture "$out/$name.$picture" --json "$out/$name.json" ${pages:+--page "$out/$name.html"}
   results+=("$out/$name.json")
 }
 
@@ -50,10 +59,10 @@ echo "== Drawing circumellipses in the domain of a coarse peak"
 cad_file=/usr/share/opencascade/data/step/linkrods.step
 if [ -e "$cad_file" ] && [ -x "$programs/mesh_cad" ]; then
   echo "== Meshing $cad_file"
-  "$programs/mesh_cad" "$cad_file" --out "$out/linkrods.off" --picture "$out/linkrods.svg" --json "$out/linkrods_cad.json"
+  "$programs/mesh_cad" "$cad_file" --out "$out/linkrods.off" --picture "$out/linkrods.$picture" --json "$out/linkrods_cad.json" ${pages:+--page "$out/linkrods.html"}
 fi
 
 echo
 "$programs/print_results_table" "${results[@]}"
 echo
-echo "Meshes (.off), pictures (.svg) and numbers (.json) are in $out/"
+echo "Meshes (.off), pages to look at in a browser (.html), pictures (.png, .svg) and numbers (.json) are in $out/"

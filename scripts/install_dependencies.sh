@@ -14,6 +14,7 @@ packages=(
   libtbb-dev
   libocct-data-exchange-dev occt-misc
   pybind11-dev python3-numpy python3-dev
+  libjs-three libegl-dev libgl-dev libpng-dev
   "$@"
 )
 

@@ -12,6 +12,8 @@ cd "$root"
 scripts/install_dependencies.sh
 # They read files back in tests, or make the manual; what needs them is skipped without them.
 scripts/install_dependencies.sh calculix-ccx gmsh python3-meshio doxygen libjs-mathjax || echo "== Going on without CalculiX, Gmsh, meshio or Doxygen"
+# The browser that pages of meshes are looked at in.
+scripts/install_dependencies.sh chromium python3 || echo "== Going on without Chromium"
 jobs=$(nproc)
 
 # configure DIRECTORY [option...]: quiet unless it fails

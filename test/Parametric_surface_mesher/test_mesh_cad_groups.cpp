@@ -394,4 +394,27 @@ TEST_F(Mesh_cad_groups, calculix_runs_a_shell_job)
   EXPECT_NEAR(fz, -200, 0.1); // what bears the pressure of 2 on an area of 100
 }
 
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_PAGE
+
+TEST_F(Mesh_cad_groups, pages_have_names)
+{
+  const auto page = data_of_page("bridge.step --max-edge 3 --unit CM");
+  EXPECT_EQ(page["title"], "bridge.step");
+  EXPECT_EQ(page["unit"], "cm");
+  EXPECT_EQ(page["high"][0].get<double>() - page["low"][0].get<double>(), 3); // of 30 mm
+  std::set<std::string> names;
+  for(const auto& part : page["parts"])
+    names.insert(part["name"].get<std::string>());
+  EXPECT_EQ(names.count("left plate"), 1u);
+  EXPECT_EQ(names.count("pin, the only one"), 1u);
+  EXPECT_EQ(page["faces"].size(), 27u);
+  EXPECT_EQ(page["faces"][26]["number"], 27);
+  const auto is_top = [](const auto& face) { return face.contains("name") && face["name"] == "top"; };
+  EXPECT_GE(std::count_if(page["faces"].begin(), page["faces"].end(), is_top), 1);
+  const auto has_color = [](const auto& face) { return face.contains("color"); };
+  EXPECT_GT(std::count_if(page["faces"].begin(), page["faces"].end(), has_color), 6);
+}
+
+#endif
+
 } // namespace

@@ -67,7 +67,7 @@ TEST_F(Mesh_patch_program, helps)
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err, "");
   for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--angle", "--size-factor", "--distance", "--metric",
-                            "--division", "--out", "--uv", "--picture", "--uv-picture", "--ellipses", "--json", "--quiet",
+                            "--division", "--out", "--uv", "--picture", "--uv-picture", "--ellipses", "--page", "--json", "--quiet",
                             "principal-curvature", "stretch", ".bpt", "boundary_limited", "unmet"})
     EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
@@ -273,6 +273,39 @@ TEST_F(Mesh_patch_program, keeps_all_digits_and_the_order_of_vertices)
     EXPECT_EQ(mesh.point(v).y(), domain_mesh.point(v).y());
   }
 }
+
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_PAGE
+
+TEST_F(Mesh_patch_program, writes_pages)
+{
+  const auto largest = [](const nlohmann::json& values) {
+    const double high = values["range"]["high"];
+    return values["range"]["logarithmic"].get<bool>() ? std::exp(high) : high;
+  };
+  nlohmann::json page = data_of_page("sphere --max-edge 0.3");
+  EXPECT_EQ(page["title"], "sphere");
+  EXPECT_TRUE(page["closed"]);
+  EXPECT_EQ(page["faces"].size(), 1u);
+  EXPECT_NEAR(largest(page["values"][1]), 1, 1e-6); // the curvature, the same everywhere
+  EXPECT_NEAR(page["values"][1]["range"]["low"], 0, 1e-6);
+  page = data_of_page("peak --max-edge 0.15 --json peak.json");
+  const nlohmann::json numbers = nlohmann::json::parse(content(file("peak.json")));
+  EXPECT_FALSE(page["closed"]);
+  EXPECT_EQ(page["numberOfPoints"], numbers["vertices"]);
+  EXPECT_NEAR(page["angles"]["low"], numbers["min_angle"].get<double>(), 1e-6);
+  const double distance = numbers["max_distance"]; // looked for at more places
+  EXPECT_LE(largest(page["values"][0]), distance * 1.001);
+  EXPECT_GE(largest(page["values"][0]), 0.5 * distance);
+  page = data_of_page("peak --max-edge 0.5 --min-edge 0.4");
+  ASSERT_FALSE(page["findings"].empty());
+  EXPECT_EQ(page["findings"][0]["kind"], "not met");
+}
+
+#else
+
+TEST_F(Mesh_patch_program, tells_what_pages_need) { expect_refused("peak --page peak.html", "libjs-three"); }
+
+#endif
 
 TEST_F(Mesh_patch_program, draws_pictures)
 {

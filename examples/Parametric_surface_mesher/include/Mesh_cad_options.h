@@ -10,6 +10,7 @@
 #include "Mesh_cad_fineness.h"
 #include "Mesh_cad_imprints.h"
 #include "Usage_error.h"
+#include "write_page.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/optional.hpp>
@@ -24,7 +25,7 @@
 
 struct Mesh_cad_options
 {
-  std::string input, out, picture, json, unit = "MM";
+  std::string input, out, picture, page, json, unit = "MM";
   std::string face_list, face_sizes, edge_sizes, size_field, self_intersections = "refine";
   std::vector<std::string> sphere_list, local_list, part_lists;
   std::string fineness = "normal";
@@ -161,12 +162,12 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("heal", po::bool_switch(&o.is_healing_wanted), "let Open CASCADE repair the shape first (ShapeFix_Shape)");
   po::options_description output("Output", 92);
   mesh_patch::add_order(output, o.order);
+  mesh_patch::add_page_and_picture(output, o.page, o.picture);
   output.add_options()
     ("list", po::bool_switch(&o.is_list_wanted), "print the parts of the assembly, their sizes, and what has names, and stop; --json writes them")
     ("out,o", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv, .glb, .brep (the shape with the mesh as its triangulation, for Open CASCADE) or, if built with the MED library, .med")
     ("binary", po::bool_switch(&o.is_binary), "write .stl, .off and .ply as binary files; .vtu always is one")
     ("node-parameters", po::bool_switch(&o.are_node_parameters_wanted), "write the parameters of nodes on edges and faces, too, to .msh (Gmsh reads them, meshio does not) and .vtu")
-    ("picture", text(o.picture, "FILE"), "a picture of the mesh, as .svg")
     ("json", text(o.json, "FILE"), "the results in numbers, as .json")
     ("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors")
     ("version", po::bool_switch(&o.is_version_wanted), "print the versions of this program and of its libraries, and stop")
@@ -194,8 +195,8 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--growth: the growth must be at least 0 and below 10");
   if(given.count("sew") != 0 && !(o.sewing_tolerance >= 0 && std::isfinite(o.sewing_tolerance)))
     throw Usage_error("--sew: the distance must be a finite number, at least 0");
-  if(o.is_list_wanted && (given.count("out") != 0 || given.count("picture") != 0))
-    throw Usage_error("--list meshes nothing, and cannot be given with --out or --picture");
+  if(o.is_list_wanted && (given.count("out") != 0 || given.count("picture") != 0 || given.count("page") != 0))
+    throw Usage_error("--list meshes nothing, and cannot be given with --out, --picture or --page");
   if(!(o.fuzzy >= 0 && std::isfinite(o.fuzzy)))
     throw Usage_error("--fuzzy: the distance must be a finite number, at least 0");
   if(given.count("reach") != 0 && given.count("point") == 0 && given.count("curves") == 0)
@@ -206,6 +207,8 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--self-intersections: '" + o.self_intersections + "' must be refine, report or ignore");
   mesh_patch::check_sweeps(o.sweeps);
   mesh_patch::check_order(o.order);
+  mesh_patch::check_page(o.page);
+  mesh_patch::check_picture(o.picture);
   if(o.threads == 0 || o.threads > 1024)
     throw Usage_error("--threads: the number must be at least 1 and at most 1024");
 #ifndef CGAL_LINKED_WITH_TBB

@@ -12,7 +12,7 @@
 #include "Unmet_count.h"
 #include "json_of_names.h"
 #include "write_mesh_cad_file.h"
-#include "write_surface_picture.h"
+#include "write_page.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <map>
 #include <ostream>
+#include <sstream>
 #include <set>
 #include <string>
 #include <utility>
@@ -34,10 +35,7 @@ inline std::string title(const Mesh_cad_options& options)
 
 inline void write_picture(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
 {
-  Surface_picture_options picture;
-  picture.title = title(options);
-  const Elements mesh = elements(result);
-  write_surface_picture(out, mesh.points, mesh.triangles, picture);
+  mesh_patch::write_picture(out, options.picture, result.page, title(options));
 }
 
 // A face that two shells share counts once.
@@ -190,6 +188,15 @@ inline void write_json(std::ostream& out, const Mesh_cad_options& options, const
   write_json(out, json);
 }
 
+inline void print_summary(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result);
+
+inline void write_page(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  std::ostringstream summary;
+  print_summary(summary, options, result);
+  mesh_patch::write_page(out, result.page, title(options), has_unit(options) ? symbol_of_unit(options.unit) : "", summary.str());
+}
+
 // The files that the options ask for; throws if one of them could not be written later.
 inline Output_files output_files(const Mesh_cad_options& o, const Mesh_cad_result& result)
 {
@@ -205,7 +212,8 @@ inline Output_files output_files(const Mesh_cad_options& o, const Mesh_cad_resul
     mesh_patch::check_ending("order 2 --out", o.out, endings_for_solvers());
   add("out", o.out, all_endings(),
       [&](std::ostream& out) { write_result(out, o.out, o, result); });
-  add("picture", o.picture, {".svg"}, [&](std::ostream& out) { write_picture(out, o, result); });
+  add("picture", o.picture, {".png", ".svg"}, [&](std::ostream& out) { write_picture(out, o, result); });
+  add("page", o.page, {".html"}, [&](std::ostream& out) { write_page(out, o, result); });
   add("json", o.json, {".json"}, [&](std::ostream& out) { write_json(out, o, result); });
   return files;
 }

@@ -19,11 +19,13 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Triangle_mesh_quality.h>
+#include <CGAL/make_mesh_page.h>
 
 #include <CGAL/IO/read_open_cascade_shape.h>
 #include <CGAL/carry_over_open_cascade_names.h>
 #include <CGAL/fuse_open_cascade_solids.h>
 #include <CGAL/make_model_of_open_cascade_shape.h>
+#include <CGAL/name_mesh_page.h>
 #include <CGAL/repair_open_cascade_shape.h>
 #include <CGAL/sew_open_cascade_shape.h>
 
@@ -57,6 +59,7 @@ struct Mesh_cad_result
   mesh_cad::Deciding_bounds deciding_bounds;
   boost::optional<Second_order_measures> second_order;
   CGAL::Open_cascade_names_3 names;
+  CGAL::Mesh_page_3 page; // if it is wanted
   std::vector<CGAL::Element_mesh_3::Data> triangle_data; // if the file of the mesh shows it
   std::vector<std::string> file_faults; // what the file contains and the shape lacks
   std::vector<CGAL::Open_cascade_model_3::Left_out_face> left_out; // those of the shape and those of the report
@@ -317,6 +320,11 @@ inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& res
     result.measures = measure(result.mesh, result.shape, result.criteria.min_edge());
     if(mesh_patch::has_ending(options.out, ".vtu"))
       result.triangle_data = triangle_data(result.mesh, result.shape);
+    if(!options.page.empty() || !options.picture.empty()) {
+      result.page = CGAL::make_mesh_page(result.shape.model, result.mesh.mesh, result.report, result.mesh.places());
+      CGAL::name_mesh_page(result.shape, result.names, result.page);
+      result.page.scale_lengths(1 / unit);
+    }
     scale_lengths(1 / unit, result);
     result.quality = CGAL::triangle_mesh_quality(result.mesh.mesh);
   });

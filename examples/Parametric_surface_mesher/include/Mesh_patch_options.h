@@ -7,6 +7,7 @@
 
 #include "Sample_models.h"
 #include "Usage_error.h"
+#include "write_page.h"
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 
@@ -23,7 +24,7 @@
 struct Mesh_patch_options
 {
   std::string surface, metric = "first-fundamental-form", placement = "frontal";
-  std::string out, uv, picture, uv_picture, json, division;
+  std::string out, uv, picture, uv_picture, page, json, division;
   double max_edge = 0, min_edge = 0, distance = 0; // 0 if not given
   double gamma = CGAL::Parametric_surface_mesh_criteria().gamma();
   double angle = CGAL::Parametric_surface_mesh_criteria().angle();
@@ -119,10 +120,10 @@ inline po::options_description described_options(Mesh_patch_options& o)
   add_sweeps(criteria, o.sweeps);
   po::options_description output("Output", 92);
   add_order(output, o.order);
+  add_page_and_picture(output, o.page, o.picture);
   output.add_options()
     ("out,o", file(o.out), "the mesh, as .off, .obj, .ply or .stl; with --order 2 as .vtu, .msh, .inp or .bdf")
     ("uv", file(o.uv), "the same triangles in the domain, as points (u,v,0); endings as for --out")
-    ("picture", file(o.picture), "a picture of the mesh, as .svg")
     ("uv-picture", file(o.uv_picture), "a picture of the triangles in the domain, as .svg")
     ("ellipses", po::value<int>(&o.ellipses)->value_name("N"), "the number of circumellipses in --uv-picture (0)")
     ("json", file(o.json), "the results in numbers, as .json")
@@ -164,6 +165,8 @@ inline void check_values(const po::variables_map& given, const Mesh_patch_option
     throw Usage_error("--improvement-angle: the angle must be at least 0 and below 60 degrees");
   check_sweeps(o.sweeps);
   check_order(o.order);
+  check_page(o.page);
+  check_picture(o.picture);
   if(o.placement != "frontal" && o.placement != "off-center" && o.placement != "circumcenter")
     throw Usage_error("--placement: '" + o.placement + "' must be frontal, off-center or circumcenter");
   if(o.max_edge > 0 && o.min_edge > o.max_edge)

@@ -14,6 +14,7 @@
 #include "Unmet_count.h"
 #include "write_mesh_file.h"
 #include "write_mesh_picture.h"
+#include "write_page.h"
 #include "write_second_order_patch.h"
 
 #include <nlohmann/json.hpp>
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,12 +52,9 @@ inline Mesh domain_mesh(const Mesh_patch_result& result)
   return mesh;
 }
 
-inline void write_picture(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_result& result)
+inline void write_picture(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_options& options, const Mesh_patch_result& result)
 {
-  Surface_picture_options picture;
-  picture.title = input.name;
-  const auto arrays = mesh_picture::arrays<3>(result.mesh, [&](auto v) { return result.mesh.point(v); });
-  write_surface_picture(out, arrays.first, arrays.second, picture);
+  write_picture(out, options.picture, result.page, input.name);
 }
 
 inline void write_uv_picture(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_result& result)
@@ -149,6 +148,15 @@ inline void write_json(std::ostream& out, const Mesh_patch_input& input, const M
   out << json.dump(2) << "\n";
 }
 
+inline void print_summary(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_result& result);
+
+inline void write_page(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_result& result)
+{
+  std::ostringstream summary;
+  print_summary(summary, input, result);
+  write_page(out, result.page, input.name, "", summary.str());
+}
+
 // The files that the options ask for; throws if one of them could not be written later. They take what is in `input` and
 // `result` when they are written.
 inline Output_files output_files(const Mesh_patch_options& o, const Mesh_patch_input& input, const Mesh_patch_result& result)
@@ -169,8 +177,9 @@ inline Output_files output_files(const Mesh_patch_options& o, const Mesh_patch_i
       write_mesh(out, o.out, result.mesh, [](std::size_t patch) { return patch + 1; });
   });
   add("uv", o.uv, formats, [&](std::ostream& out) { write_mesh(out, o.uv, domain_mesh(result)); });
-  add("picture", o.picture, {".svg"}, [&](std::ostream& out) { write_picture(out, input, result); });
+  add("picture", o.picture, {".png", ".svg"}, [&](std::ostream& out) { write_picture(out, input, o, result); });
   add("uv-picture", o.uv_picture, {".svg"}, [&](std::ostream& out) { write_uv_picture(out, input, result); });
+  add("page", o.page, {".html"}, [&](std::ostream& out) { write_page(out, input, result); });
   add("json", o.json, {".json"}, [&](std::ostream& out) { write_json(out, input, o, result); });
   return files;
 }

@@ -18,6 +18,7 @@
 #include <CGAL/Principal_curvature_metric_2.h>
 #include <CGAL/Triangle_mesh_deviation.h>
 #include <CGAL/Triangle_mesh_quality.h>
+#include <CGAL/make_mesh_page.h>
 #include <CGAL/make_parametric_surface_mesh.h>
 
 #include <algorithm>
@@ -41,6 +42,7 @@ struct Mesh_patch_result
   Face_patch_map patch_of_face;
   boost::optional<Second_order_measures> second_order;
   Mesh::Property_map<Mesh::Edge_index, Sample_kernel::Point_3> mid_side_nodes; // there are some if the elements are of second order
+  CGAL::Mesh_page_3 page; // if it is wanted
   std::deque<Patch_triangles> patches;     // in a deque, since they cannot be moved in memory
   std::vector<std::vector<Ellipse>> ellipses; // by patch
 };
@@ -141,6 +143,14 @@ void make_second_order(const Mesh_patch_input& input, const Maps& maps, Mesh_pat
     make(std::get<Sample_surface_model>(input.source));
 }
 
+template <class Maps>
+CGAL::Mesh_page_3 make_page(const Mesh_patch_input& input, const Maps& maps, const Mesh_patch_result& result)
+{
+  if(const Sample* sample = std::get_if<Sample>(&input.source))
+    return CGAL::make_mesh_page(sample->surface, sample->domain, result.mesh, result.report, maps);
+  return CGAL::make_mesh_page(std::get<Sample_surface_model>(input.source), result.mesh, result.report, maps);
+}
+
 template <class Metric>
 void mesh_with_metric(const Mesh_patch_input& input, const Mesh_patch_options& options, const Metric& metric,
                       Mesh_patch_result& result)
@@ -163,6 +173,8 @@ void mesh_with_metric(const Mesh_patch_input& input, const Mesh_patch_options& o
                                                          result.mesh, maps);
   }
   measure(input, uv, patch, result);
+  if(!options.page.empty() || !options.picture.empty())
+    result.page = make_page(input, parameters::metric_field(metric, places), result);
   if(options.order == 2)
     make_second_order(input, places, result);
   if(options.ellipses > 0)

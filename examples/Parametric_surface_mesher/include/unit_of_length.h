@@ -11,6 +11,8 @@
 
 #include <CGAL/Open_cascade_names_3.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -27,6 +29,18 @@ inline double millimetres_of(const std::string& unit)
   if(found == units.end())
     throw Usage_error("--unit: '" + unit + "' is not a unit of length: UM, MM, CM, M, KM, UIN, MIL, INCH, FT or MI");
   return found->second;
+}
+
+// As it stands behind numbers.
+inline std::string symbol_of_unit(const std::string& unit)
+{
+  static const std::map<std::string, std::string> symbols{{"UM", "\u00b5m"}, {"UIN", "\u00b5in"}, {"INCH", "in"}};
+  const auto found = symbols.find(unit);
+  if(found != symbols.end())
+    return found->second;
+  std::string result = unit;
+  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
 }
 
 inline void scale_lengths(double factor, Mesh_cad_options& options)

@@ -23,6 +23,7 @@ takes plain arrays or a `CGAL::Surface_mesh`, and a file name or a stream. Meshe
 #include <cstddef>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,18 @@ struct Surface_picture_options
   std::optional<double> azimuth;    ///< degrees from the x axis to the viewer; by default beside the front side
   std::optional<double> elevation;  ///< degrees of the viewer above the xy plane; by default 25 to 40 above or below
   bool is_colored_by_angle = false; ///< colours each face by its smallest angle, from red over yellow to blue
+  std::vector<std::array<std::size_t, 2>> lines; ///< edges of the model, by their ends, drawn as strong as borders are
+  std::vector<std::size_t> faces;                ///< for each triangle the index of the face that it lies on
+  std::vector<std::optional<mesh_picture::Color>> face_colors; ///< for each of these its own colour, if it has one
+
+  /// the colour of the front or the back of a triangle, unless it is coloured by its angle.
+  mesh_picture::Color color_of(std::size_t triangle, bool is_front) const
+  {
+    static const mesh_picture::Color front{160, 196, 230}, back{240, 205, 160};
+    if(!is_front || triangle >= faces.size() || faces[triangle] >= face_colors.size())
+      return is_front ? front : back;
+    return face_colors[faces[triangle]].value_or(front);
+  }
 };
 
 namespace mesh_picture {
@@ -173,7 +186,7 @@ public:
       if(item.border_edge >= 0)
         svg.segment(m_images[t[item.border_edge]], m_images[t[(item.border_edge + 1) % 3]], border_line);
       else
-        write_triangle(svg, t);
+        write_triangle(svg, item.triangle);
     }
     svg.end_group();
   }
@@ -182,7 +195,8 @@ private:
   std::vector<Item> items_back_to_front() const
   {
     std::vector<Item> items;
-    const std::vector<int> border = border_edges(m_triangles);
+    std::vector<int> border = border_edges(m_triangles);
+    add_lines(border);
     for(std::size_t t = 0; t < m_triangles.size(); ++t)
     {
       std::array<double, 3> depth;
@@ -198,9 +212,22 @@ private:
     return items;
   }
 
-  void write_triangle(Svg_writer& svg, const Triangle& t) const
+  // Of the two triangles beside a line one has it from the smaller index to the larger one.
+  void add_lines(std::vector<int>& border) const
   {
-    static const Color front{160, 196, 230}, back{240, 205, 160};
+    std::set<std::array<std::size_t, 2>> lines;
+    for(const auto& line : m_options.lines)
+      lines.insert({std::min(line[0], line[1]), std::max(line[0], line[1])});
+    for(std::size_t t = 0; !lines.empty() && t < m_triangles.size(); ++t)
+      for(int i = 0; i < 3; ++i)
+        if(lines.count({m_triangles[t][i], m_triangles[t][(i + 1) % 3]}) > 0)
+          border[t] |= 1 << i;
+  }
+
+  void write_triangle(Svg_writer& svg, std::size_t triangle) const
+  {
+    static const Color back{240, 205, 160};
+    const Triangle& t = m_triangles[triangle];
     const Point_3 &p = m_points[t[0]], &q = m_points[t[1]], &r = m_points[t[2]];
     const Point_3 n = normalized(normal(p, q, r));
     const bool is_front = dot(n, m_view.to_viewer) >= 0;
@@ -209,7 +236,7 @@ private:
     const Point_3 light = normalized({-0.45, 0.6, 0.66});
     const double lit = side * (light[0] * dot(n, m_view.right) + light[1] * dot(n, m_view.up)
                                + light[2] * dot(n, m_view.to_viewer));
-    Color color = is_front ? front : back;
+    Color color = m_options.color_of(triangle, is_front);
     if(m_options.is_colored_by_angle)
       color = is_front ? color_of_angle(min_angle(p, q, r)) : mixed(color_of_angle(min_angle(p, q, r)), back, 0.4);
     const double contrast = m_options.is_colored_by_angle ? 0.25 : 0.5; // weak shadows leave the colours readable

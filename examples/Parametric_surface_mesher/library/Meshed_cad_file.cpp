@@ -132,6 +132,7 @@ Meshed_cad_file::Meshed_cad_file(const std::vector<std::string>& arguments, cons
   data->options = read_options(arguments);
   data->options.is_quiet = true;
   data->options.out = "mesh.vtu"; // which shows all that is measured of triangles
+  data->options.page = "mesh.html";
   data->options.callbacks = callbacks;
   mesh_cad::mesh_and_measure(data->options, data->result);
   data->options.callbacks = Mesh_callbacks(); // what they refer to may go
@@ -176,12 +177,21 @@ std::string Meshed_cad_file::summary() const
   return out.str();
 }
 
+std::string Meshed_cad_file::page() const
+{
+  std::ostringstream out;
+  mesh_patch::check_page(m_data->options.page);
+  mesh_cad::write_page(out, m_data->options, m_data->result);
+  return out.str();
+}
+
 bool Meshed_cad_file::is_whole() const { return ::is_whole(m_data->options, m_data->result); }
 
 void Meshed_cad_file::save(const std::string& file_name, bool is_binary, bool are_node_parameters_wanted) const
 {
   Mesh_cad_options options = m_data->options;
   options.out = file_name;
+  options.page.clear();
   options.is_binary = is_binary;
   options.are_node_parameters_wanted = are_node_parameters_wanted;
   mesh_cad::output_files(options, m_data->result).write();

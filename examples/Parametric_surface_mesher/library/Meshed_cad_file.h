@@ -29,6 +29,7 @@ public:
   Mesh_arrays arrays() const;
   std::string json() const;    // what --json writes
   std::string summary() const; // what the program prints
+  std::string page() const;    // what --page writes
   bool is_whole() const;       // whether the exit status would be 0
 
   // Writes the mesh, as --out does, into a file whose ending tells the format.

@@ -75,6 +75,19 @@ protected:
     return nlohmann::json::parse(content(file("result.json")));
   }
 
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_PAGE
+  // What the page contains that --page writes.
+  nlohmann::json data_of_page(const std::string& arguments) const
+  {
+    const Result result = run(arguments + " --quiet --page page.html");
+    EXPECT_EQ(result.status, 0) << arguments << "\n" << result.err;
+    const std::string page = content(file("page.html")), begin = "<script id=\"mesh\" type=\"application/json\">";
+    const std::size_t first = page.find(begin) + begin.size();
+    EXPECT_EQ(page.find("=\"http"), std::string::npos) << "it needs a network";
+    return nlohmann::json::parse(page.substr(first, page.find("</script>", first) - first));
+  }
+#endif
+
   // One line on stderr that contains `hint`, status 2, nothing on stdout, no file.
   void expect_refused(const std::string& arguments, const std::string& hint) const
   {

@@ -50,6 +50,15 @@ inline std::string hexadecimal(const Open_cascade_names_3::Color& color)
   return text;
 }
 
+// The name of a part, or its path if others have the name, too.
+inline std::string short_name(const Open_cascade_names_3& names, std::size_t part)
+{
+  const auto own_name = [](const Open_cascade_names_3::Part& p) -> const std::string& { return p.instance.empty() ? p.name : p.instance; };
+  const std::string& name = own_name(names.parts[part]);
+  const auto has_same = [&](const auto& other) { return own_name(other) == name; };
+  return std::count_if(names.parts.begin(), names.parts.end(), has_same) > 1 ? names.parts[part].path : name;
+}
+
 // The faces, edges and vertices of a shape as entities of an element mesh, in the order in which they are first asked for.
 class Entities_of_shape
 {
@@ -116,18 +125,8 @@ private:
       return Element_mesh_3::none;
     const auto found = m_parts.emplace(part, m_mesh.parts.size());
     if(found.second)
-      m_mesh.parts.push_back({part + 1, short_name(part), m_names.parts[part].color});
+      m_mesh.parts.push_back({part + 1, short_name(m_names, part), m_names.parts[part].color});
     return found.first->second;
-  }
-
-  static const std::string& own_name(const Open_cascade_names_3::Part& part) { return part.instance.empty() ? part.name : part.instance; }
-
-  // The name, or the path if others have the name, too.
-  std::string short_name(std::size_t part) const
-  {
-    const std::string& name = own_name(m_names.parts[part]);
-    const auto has_same = [&](const auto& other) { return own_name(other) == name; };
-    return std::count_if(m_names.parts.begin(), m_names.parts.end(), has_same) > 1 ? m_names.parts[part].path : name;
   }
 
   template <class KeyOfEntity>
@@ -179,7 +178,7 @@ private:
         assemblies[p].push_back(i);
     for(const auto& assembly : assemblies)
       if(assembly.second.size() > 1)
-        m_mesh.groups.push_back({short_name(assembly.first), 3, assembly.second});
+        m_mesh.groups.push_back({short_name(m_names, assembly.first), 3, assembly.second});
   }
 };
 
