@@ -369,6 +369,22 @@ TEST_F(Mesh_cad_program, spheres_ask_for_small_edges)
     expect_refused(std::string("box.brep --sphere-size ") + sphere, "--sphere-size");
 }
 
+TEST_F(Mesh_cad_program, lets_layers_fit_into_walls)
+{
+  BRepTools::Write(BRepPrimAPI_MakeBox(4, 4, 0.5).Shape(), file("plate.brep").c_str());
+  const nlohmann::json plain = json("plate.brep --quiet"), layers = json("plate.brep --quiet --layers 3 --out plate.off");
+  EXPECT_NEAR(0.5 / 3 / 1.4, layers["layers"]["smallest_length"].get<double>(), 1e-9);
+  EXPECT_FALSE(layers["layers"]["limited"].get<bool>());
+  EXPECT_GT(layers["min_angle"].get<double>(), 25);
+  Mesh mesh;
+  ASSERT_TRUE(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file("plate.off"), mesh));
+  for(const auto e : mesh.edges())
+    EXPECT_LT(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))), CGAL::square(1.15 * 0.5 / 3));
+  EXPECT_GT(layers["triangles"].get<int>(), 2 * plain["triangles"].get<int>());
+  EXPECT_TRUE(json("plate.brep --quiet --layers 30 --min-edge 0.05")["layers"]["limited"].get<bool>());
+  expect_refused("box.brep --layers 0", "--layers");
+}
+
 // Of the triangles on the sides of a box around the origin.
 TEST_F(Mesh_cad_program, sizes_in_parts_of_space_and_near_edges_and_vertices)
 {

@@ -10,6 +10,8 @@
 #include <CGAL/IO/write_element_VTU.h>
 #include <CGAL/Least_sizing_field_3.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/layer_sizes.h>
 
 #include <gtest/gtest.h>
 
@@ -353,6 +355,73 @@ TEST_F(Node_value_files, of_vtk_written_here)
     CGAL::IO::write_VTU(out, mesh);
   }
   expect_square(CGAL::IO::read_node_values(file("square.vtu")));
+}
+
+// the two sides of a sheet of a given thickness over the square [0,10]^2, as grids; each side has points of its own
+typedef CGAL::Surface_mesh<Point_3> Mesh;
+
+template <class Thickness>
+Mesh sheet(const Thickness& thickness)
+{
+  const int n = 20;
+  Mesh mesh;
+  for(const bool is_top : {false, true}) {
+    std::vector<Mesh::Vertex_index> v;
+    for(int i = 0; i <= n; ++i)
+      for(int k = 0; k <= n; ++k) {
+        const double x = 0.5 * i, y = 0.5 * k;
+        v.push_back(mesh.add_vertex(Point_3(x, y, is_top ? thickness(x) : 0)));
+      }
+    for(int i = 0; i < n; ++i)
+      for(int k = 0; k < n; ++k) {
+        const auto a = v[i * (n + 1) + k], b = v[(i + 1) * (n + 1) + k], c = v[(i + 1) * (n + 1) + k + 1], d = v[i * (n + 1) + k + 1];
+        mesh.add_face(a, is_top ? b : c, is_top ? c : b);
+        mesh.add_face(a, is_top ? c : d, is_top ? d : c);
+      }
+  }
+  return mesh;
+}
+
+TEST(Layer_sizes, are_shares_of_the_thickness)
+{
+  const auto sizes = CGAL::layer_sizes(sheet([](double) { return 0.6; }), 3, 0.01, 5);
+  for(const double value : sizes.values)
+    EXPECT_NEAR(value, 0.6 / 3 / 1.4, 1e-9);
+  EXPECT_DOUBLE_EQ(Interpolated(sizes)(Point_3(3, 4, 0.3)), sizes.values[0]);
+}
+
+TEST(Layer_sizes, grow_away_from_what_is_thin)
+{
+  const auto thickness = [](double x) { return x < 2.2 ? 0.5 : x < 2.7 ? 2. : 4.; };
+  const auto sizes = CGAL::layer_sizes(sheet(thickness), 2, 0.01, 5, 0.2);
+  for(std::size_t i = 0; i < sizes.nodes.size(); ++i) {
+    const double x = sizes.nodes[i][0], wanted = thickness(x) / 2 / 1.4;
+    EXPECT_LE(sizes.values[i], wanted * (1 + 1e-9));
+    if(x < 2) {
+      EXPECT_NEAR(sizes.values[i], wanted, 1e-9);
+    }
+    if(x > 9) {
+      EXPECT_GT(sizes.values[i], 0.99 * wanted);
+    }
+  }
+}
+
+TEST(Layer_sizes, have_bounds)
+{
+  for(const double value : CGAL::layer_sizes(sheet([](double) { return 1e-3; }), 2, 0.01, 5).values)
+    EXPECT_EQ(value, 0.01);
+  for(const double value : CGAL::layer_sizes(sheet([](double) { return 100.; }), 2, 0.01, 5).values)
+    EXPECT_EQ(value, 5);
+  // sides that touch have no room between them, and those that meet at a right angle are not opposite to each other
+  for(const double value : CGAL::layer_sizes(sheet([](double) { return 0.; }), 2, 0.01, 5).values)
+    EXPECT_EQ(value, 5);
+  for(const double value : CGAL::layer_sizes(sheet([](double x) { return 3 * x + 0.1; }), 2, 0.01, 5).values)
+    EXPECT_EQ(value, 5);
+  const Mesh mesh = sheet([](double) { return 1.; });
+  EXPECT_THROW(CGAL::layer_sizes(mesh, 0, 0.01, 5), Error);
+  EXPECT_THROW(CGAL::layer_sizes(mesh, 2, -1, 5), Error);
+  EXPECT_THROW(CGAL::layer_sizes(mesh, 2, 0.01, infinity), Error);
+  EXPECT_THROW(CGAL::layer_sizes(mesh, 2, 0.01, 5, -1), Error);
 }
 
 } // namespace

@@ -33,6 +33,7 @@ struct Mesh_cad_options
   double share_of_max_edge = 1. / 20; // of the diagonal, from `fineness`
   double max_edge = 0, min_edge = 0, distance = 0, detail = 0; // 0 if not given
   double relative_distance = 5e-4, gamma = 0.05, angle = 30, closeness = 1.8, growth = 0;
+  double layers = 0;            // 0 if not given
   double sewing_tolerance = -1; // 0 for never, below 0 if not given
   std::vector<mesh_cad::Local_size> local_sizes; // from `local_list` and `sphere_list`
   boost::optional<unsigned int> sweeps;
@@ -100,6 +101,8 @@ const char* const conclusion =
   "  imprints                       how far points of --point and curves of --curves were from the faces\n"
   "  repeated_faces                 faces of shells that the file has once more outside of shells\n"
   "  turned_edges                   edges at which the mesh is open since a shell cannot be oriented\n"
+  "  layers                         with --layers, the smallest edge length for it, and whether that is\n"
+  "                                 more than the thinnest places would take\n"
   "  contacts                       with --conformal, for each two parts that touch, overlap or nearly\n"
   "                                 touch: their names and the area, volume or distance\n"
   "  sewn_edges, lost_faces         pairs of edges joined, and faces lost, by sewing\n"
@@ -140,7 +143,8 @@ inline po::options_description described_options(Mesh_cad_options& o)
      "cylinder:X,Y,Z,X,Y,Z,R (the ends of its axis, and the radius), point:X,Y,Z, face:F, edge:E, vertex:V or part:P, with numbers or names; may be given several times, the least length counts")
     ("sphere-size", po::value<std::vector<std::string>>(&o.sphere_list)->value_name("X,Y,Z,R:L"), "the same as --local-size sphere:X,Y,Z,R:L")
     ("size-field", text(o.size_field, "FILE[:NAME]"),
-     "wanted edge lengths at the nodes of a mesh of triangles or tetrahedra, linear between them, those of the closest point outside: the values called NAME, or the only ones, of a .vtu, .msh, or .mesh with .sol; in the unit of --unit");
+     "wanted edge lengths at the nodes of a mesh of triangles or tetrahedra, linear between them, those of the closest point outside: the values called NAME, or the only ones, of a .vtu, .msh, or .mesh with .sol; in the unit of --unit")
+    ("layers", po::value<double>(&o.layers)->value_name("N"), "edges of at most 1/N of the local thickness of walls and width of gaps, as a first mesh without this option shows them; not below --min-edge, or 1/4000 of the diagonal");
   criteria.add_options()
     ("self-intersections", text(o.self_intersections, "WHAT"),
      "triangles of one solid that pass through each other: refine (mesh again with shorter edges there, as far as that helps; list the rest), report or ignore (refine)");
@@ -193,6 +197,8 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
   if(!(o.growth >= 0 && o.growth < 10))
     throw Usage_error("--growth: the growth must be at least 0 and below 10");
+  if(given.count("layers") != 0 && !(o.layers >= 1 && o.layers <= 1000))
+    throw Usage_error("--layers: the number must be at least 1 and at most 1000");
   if(given.count("sew") != 0 && !(o.sewing_tolerance >= 0 && std::isfinite(o.sewing_tolerance)))
     throw Usage_error("--sew: the distance must be a finite number, at least 0");
   if(o.is_list_wanted && (given.count("out") != 0 || given.count("picture") != 0 || given.count("page") != 0))

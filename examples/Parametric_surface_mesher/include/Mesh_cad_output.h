@@ -158,6 +158,7 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"self_intersections", json_of_intersections(result)},
           {"distance", m.distance},
           {"distance_over_diagonal", m.distance / result.shape.diagonal},
+          {"layers", {{"smallest_length", result.layers.smallest_length}, {"limited", result.layers.is_limited}}},
           {"decided_by", json_of_bounds(result.deciding_bounds)},
           {"unmet_by", mesh_patch::json_of_unmet(result.report)},
           {"unjudged", result.report.number_of_unjudged_faces},
@@ -342,6 +343,9 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
   if(!m.tiny_edges.empty() || !m.sliver_faces.empty())
     out << "  " << mesh_patch::plural(m.tiny_edges.size(), "tiny edge") << ", "
         << mesh_patch::plural(m.sliver_faces.size(), "sliver face") << "\n";
+  if(options.layers > 0)
+    out << "  " << options.layers << " layers: edges of " << result.layers.smallest_length << " and more"
+        << (result.layers.is_limited ? "; fewer layers where there is less room than these take (--min-edge)" : "") << "\n";
   if(result.report.number_of_edges_added_to_thin_strips > 0)
     out << "  " << mesh_patch::plural(result.report.number_of_edges_added_to_thin_strips, "edge")
         << " more along faces so narrow that edges there are shorter than the minimum edge\n";

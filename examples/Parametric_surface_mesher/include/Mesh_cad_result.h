@@ -57,6 +57,7 @@ struct Mesh_cad_result
   CGAL::Triangle_mesh_quality quality;
   Cad_mesh_measures measures;
   mesh_cad::Deciding_bounds deciding_bounds;
+  mesh_cad::Layers layers; // with --layers
   boost::optional<Second_order_measures> second_order;
   CGAL::Open_cascade_names_3 names;
   CGAL::Mesh_page_3 page; // if it is wanted
@@ -307,7 +308,11 @@ inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& res
     set_sizes(sizes, result.shape);
   });
   result.left_out = result.shape.left_out;
-  result.meshing_seconds = seconds_of([&] { make_mesh(options, result); });
+  result.meshing_seconds = seconds_of([&] {
+    if(options.layers > 0 && !result.shape.model.faces().empty())
+      result.layers = add_layer_sizes(options, result.shape, result.criteria);
+    make_mesh(options, result);
+  });
   result.intersections_seconds = (std::min)(result.report.seconds.intersections, result.meshing_seconds);
   result.meshing_seconds -= result.intersections_seconds; // to look at the finished mesh is measuring
   if(options.order == 2)

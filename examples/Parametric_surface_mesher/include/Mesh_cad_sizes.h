@@ -18,6 +18,7 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesher/divide_curve.h>
+#include <CGAL/layer_sizes.h>
 #include <CGAL/make_parametric_surface_mesh.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -264,6 +265,29 @@ inline void set_sizes(const Sizes& sizes, CGAL::Open_cascade_model_3& shape)
     }
   if(!sizes.field.is_empty())
     shape.model.add_sizing_field(sizes.field);
+}
+
+// What --layers asks for.
+struct Layers
+{
+  double smallest_length = 0;
+  bool is_limited = false; // whether the thinnest places would take smaller lengths
+};
+
+// Adds the sizes for layers of elements to those of the model. The first mesh shows what is opposite to what. The minimum edge becomes shorter if it is in the way
+// and was not given.
+inline Layers add_layer_sizes(const Mesh_cad_options& options, CGAL::Open_cascade_model_3& shape,
+                              CGAL::Parametric_surface_mesh_criteria& criteria)
+{
+  const double share_of_min_edge = 0.25, ratio_to_min_edge = 1.4; // no smaller length is wanted anywhere than 1.4 minimum edges
+  const double smallest = ratio_to_min_edge * (options.min_edge > 0 ? 1 : share_of_min_edge) * criteria.min_edge();
+  Cad_mesh mesh;
+  mesh_model(options, shape.model, criteria, mesh);
+  const CGAL::Interpolated_sizing_field_3<Kernel> field(
+    CGAL::layer_sizes(mesh.mesh, options.layers, smallest, (std::max)(smallest, criteria.max_edge())));
+  shape.model.add_sizing_field(field);
+  criteria.set_min_edge((std::min)(criteria.min_edge(), field.length() / ratio_to_min_edge));
+  return {field.length(), field.length() <= smallest};
 }
 
 } // namespace mesh_cad

@@ -85,7 +85,7 @@ void scale_lengths(double factor, Result& result)
       value *= data.name == "deviation" ? factor : data.name == "curvature" ? 1 / factor : 1;
   scale_lengths(factor, result.names);
   for(double* length : {&result.measures.distance, &result.shape.diagonal, &result.shape.largest_gap, &result.report.max_edge,
-                        &result.report.min_edge})
+                        &result.report.min_edge, &result.layers.smallest_length})
     *length *= factor;
   for(auto& face : result.shape.closed_up)
     face.width *= factor;
