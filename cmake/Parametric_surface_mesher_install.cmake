@@ -27,6 +27,7 @@ install(FILES
   cmake/Parametric_surface_mesher_Open_cascade_support.cmake
   cmake/Parametric_surface_mesher_Med_support.cmake
   cmake/Parametric_surface_mesher_Page_support.cmake
+  cmake/Parametric_surface_mesher_3mf_support.cmake
   cmake/Parametric_surface_mesher_programs.cmake
   cmake/make_mesh_page_source.cmake
   ${PROJECT_BINARY_DIR}/Parametric_surface_mesherConfig.cmake
@@ -64,7 +65,7 @@ if(is_top_level)
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_NAME ${development_component})
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_ARCHITECTURE all)
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev, libboost-dev")
-  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SUGGESTS "libtbb-dev, libocct-data-exchange-dev, libmedc-dev, libjs-three")
+  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SUGGESTS "libtbb-dev, libocct-data-exchange-dev, libmedc-dev, lib3mf-dev, libjs-three")
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER_PACKAGE_NAME ${programs_component})
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER_PACKAGE_SHLIBDEPS ON)

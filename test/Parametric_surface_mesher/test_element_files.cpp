@@ -9,6 +9,9 @@
 #ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_MED
 #include <CGAL/IO/write_MED.h>
 #endif
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_3MF
+#include <CGAL/IO/write_element_3MF.h>
+#endif
 #include <CGAL/IO/write_MSH.h>
 #include <CGAL/IO/write_UNV.h>
 #include <CGAL/IO/write_element_STL.h>
@@ -273,6 +276,45 @@ TEST_F(Element_files, med)
     EXPECT_EQ(mesh["groups"], (std::vector<std::string>{"face_12", "k_rper 2"}));
   }
   EXPECT_THROW(CGAL::IO::write_MED("/nowhere/mesh.med", Cubes(1, false).mesh), CGAL::Parametric_surface_mesh_error);
+}
+#endif
+
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_3MF
+TEST_F(Element_files, three_mf)
+{
+  Element_mesh cubes = Cubes(2, false).mesh;
+  cubes.surfaces[3].color = Element_mesh::Color{0, 0, 1, 1};
+  cubes.triangles.pop_back(); // the second one is open
+  cubes.triangle_surfaces.pop_back();
+  cubes.triangle_data.clear();
+  CGAL::IO::write_3MF(file("mesh.3mf"), cubes, 10);
+  std::ofstream(file("read_3mf.py")) << "import json, zipfile\n"
+                                        "import xml.etree.ElementTree as tree\n"
+                                        "ns = '{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}'\n"
+                                        "model = tree.fromstring(zipfile.ZipFile('mesh.3mf').read('3D/3dmodel.model'))\n"
+                                        "colors = [m.get('displaycolor')[:7].lower() for m in model.iter(ns + 'base')]\n"
+                                        "objects = [{'name': o.get('name'), 'type': o.get('type'), 'points': len(list(o.iter(ns + 'vertex'))),\n"
+                                        "  'largest': max(float(v.get('x')) for v in o.iter(ns + 'vertex')), 'triangles': len(list(o.iter(ns + 'triangle'))),\n"
+                                        "  'colors': sorted(set(colors[int(t.get('p1') or o.get('pindex'))] for t in o.iter(ns + 'triangle')))} for o in model.iter(ns + 'object')]\n"
+                                        "json.dump({'unit': model.get('unit'), 'objects': objects, 'items': len(list(model.iter(ns + 'item')))}, open('read.json', 'w'))\n";
+  if(!succeeds("python3 -c 'import zipfile, xml.etree.ElementTree'"))
+    GTEST_SKIP() << "python3 is not installed";
+  ASSERT_TRUE(succeeds("cd " + file("") + " && python3 read_3mf.py"));
+  const auto model = nlohmann::json::parse(content(file("read.json")));
+  EXPECT_EQ(model["unit"], "millimeter");
+  EXPECT_EQ(model["items"], 2);
+  ASSERT_EQ(model["objects"].size(), 2u);
+  const auto &first = model["objects"][0], &second = model["objects"][1];
+  EXPECT_EQ(first["name"], "k\xc3\xb6rper 1");
+  EXPECT_EQ(first["type"], "model");
+  EXPECT_EQ(first["points"], 8);
+  EXPECT_EQ(first["triangles"], 12);
+  EXPECT_EQ(first["largest"], 10);
+  EXPECT_EQ(first["colors"], (std::vector<std::string>{"#0000ff", "#ff0000"}));
+  EXPECT_EQ(second["type"], "surface");
+  EXPECT_EQ(second["triangles"], 11);
+  EXPECT_EQ(second["colors"], std::vector<std::string>{"#ff0000"});
+  EXPECT_THROW(CGAL::IO::write_3MF("/nowhere/mesh.3mf", cubes), CGAL::Parametric_surface_mesh_error);
 }
 #endif
 

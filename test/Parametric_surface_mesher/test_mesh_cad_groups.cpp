@@ -71,6 +71,37 @@ TEST_F(Mesh_cad_groups, lists_parts)
   EXPECT_TRUE(has(run("box.brep --list").out, "1 x 2 x 3  box"));
 }
 
+TEST_F(Mesh_cad_groups, lists_faces)
+{
+  const Result result = run("bridge.step --list-faces --json list.json");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(has(result.out, "8 parts, 5 solids, 27 faces")) << result.out;
+  EXPECT_TRUE(has(result.out, "bridge/left plate, 'top'")) << result.out;
+  const auto list = nlohmann::json::parse(content(file("list.json")))["face_list"];
+  ASSERT_EQ(list.size(), 27u);
+  std::map<std::string, int> kinds;
+  for(const auto& face : list) {
+    ++kinds[face["kind"].get<std::string>()];
+    if(face["kind"] == "cylinder") {
+      EXPECT_NEAR(face["area"].get<double>(), 3 * std::acos(-1.), 1e-9);
+      EXPECT_NEAR(face["radius"].get<double>(), 0.5, 1e-9);
+      EXPECT_NEAR(face["center"][2].get<double>(), 2.5, 1e-9);
+      EXPECT_EQ(face["part"], 8);
+    }
+    else if(face.contains("name")) {
+      EXPECT_EQ(face["name"], "top");
+      EXPECT_NEAR(face["area"].get<double>(), 100, 1e-9);
+      EXPECT_NEAR(face["center"][2].get<double>(), 1, 1e-9);
+      EXPECT_NEAR(face["direction"][2].get<double>(), 1, 1e-9);
+    }
+  }
+  EXPECT_EQ(kinds, (std::map<std::string, int>{{"plane", 26}, {"cylinder", 1}}));
+  const auto in_metres = json("bridge.step --quiet --unit M")["face_list"];
+  for(std::size_t f = 0; f < list.size(); ++f)
+    EXPECT_NEAR(in_metres[f]["area"].get<double>(), 1e-6 * list[f]["area"].get<double>(), 1e-12);
+  expect_refused("bridge.step --list-faces --out bridge.off", "--list-faces");
+}
+
 TEST_F(Mesh_cad_groups, meshes_some_parts)
 {
   const auto faces = [this](const std::string& parts) {

@@ -43,7 +43,7 @@ struct Mesh_cad_options
   std::vector<Point_on_faces> points; // from `point_list`
   std::string curves;                 // a file
   double reach = 0;                   // of points and curves; 0 if not given
-  bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_version_wanted = false, is_list_wanted = false;
+  bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_version_wanted = false, is_list_wanted = false, is_face_list_wanted = false;
   bool are_node_parameters_wanted = false, is_binary = false;
   Mesh_callbacks callbacks; // of programs that use mesh_cad as a library
 };
@@ -66,7 +66,8 @@ const char* const conclusion =
   "outward. Groups of .msh, .inp, .unv, .med: face_1, edge_1, vertex_1, ...; parts and assemblies by their\n"
   "names; faces, edges and vertices that have names; color_rrggbb, layer_... A face between two parts\n"
   "is there once, with common nodes, in all of these, and for both parts in .stl, .ply, .off and .obj.\n"
-  ".stl has a solid for each part, .glb (in metres) a node for each part with its colours.\n"
+  ".stl has a solid for each part, .glb (in metres) a node and .3mf (in millimetres) an object for each\n"
+  "part with its colours.\n"
   "\n"
   "A face that cannot be meshed is left out and listed with the reason; the others are meshed.\n"
   "A face that is nowhere wider than a millionth of the diagonal is closed up, and listed: it has\n"
@@ -108,6 +109,7 @@ const char* const conclusion =
   "  sewn_edges, lost_faces         pairs of edges joined, and faces lost, by sewing\n"
   "  file_unit                      the unit of length of the file\n"
   "  parts                          the parts of the assembly: number, name, place, solids, faces, ...\n"
+  "  face_list                      each face with its kind, area, centre, direction, radius, part, name\n"
   "  face_names, face_colors, ...   names, colours and layers, by the numbers of faces, edges, ...\n"
   "  largest_gap                    the largest distance of an edge from one of its faces\n"
   "  seconds                        processor time: reading, model, meshing, measuring\n"
@@ -169,7 +171,8 @@ inline po::options_description described_options(Mesh_cad_options& o)
   mesh_patch::add_page_and_picture(output, o.page, o.picture);
   output.add_options()
     ("list", po::bool_switch(&o.is_list_wanted), "print the parts of the assembly, their sizes, and what has names, and stop; --json writes them")
-    ("out,o", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv, .glb, .brep (the shape with the mesh as its triangulation, for Open CASCADE) or, if built with the MED library, .med")
+    ("list-faces", po::bool_switch(&o.is_face_list_wanted), "print the same, and each face with its kind, area, centre of gravity, direction (of planes out of the solid), radius, part and name")
+    ("out,o", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv, .glb, .brep (the shape with the mesh as its triangulation, for Open CASCADE) or, if built with the libraries MED and lib3mf, .med and .3mf")
     ("binary", po::bool_switch(&o.is_binary), "write .stl, .off and .ply as binary files; .vtu always is one")
     ("node-parameters", po::bool_switch(&o.are_node_parameters_wanted), "write the parameters of nodes on edges and faces, too, to .msh (Gmsh reads them, meshio does not) and .vtu")
     ("json", text(o.json, "FILE"), "the results in numbers, as .json")
@@ -201,8 +204,8 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
     throw Usage_error("--layers: the number must be at least 1 and at most 1000");
   if(given.count("sew") != 0 && !(o.sewing_tolerance >= 0 && std::isfinite(o.sewing_tolerance)))
     throw Usage_error("--sew: the distance must be a finite number, at least 0");
-  if(o.is_list_wanted && (given.count("out") != 0 || given.count("picture") != 0 || given.count("page") != 0))
-    throw Usage_error("--list meshes nothing, and cannot be given with --out, --picture or --page");
+  if((o.is_list_wanted || o.is_face_list_wanted) && (given.count("out") != 0 || given.count("picture") != 0 || given.count("page") != 0))
+    throw Usage_error("--list and --list-faces mesh nothing, and cannot be given with --out, --picture or --page");
   if(!(o.fuzzy >= 0 && std::isfinite(o.fuzzy)))
     throw Usage_error("--fuzzy: the distance must be a finite number, at least 0");
   if(given.count("reach") != 0 && given.count("point") == 0 && given.count("curves") == 0)

@@ -5,6 +5,7 @@
 #ifndef MESH_CAD_OUTPUT_H
 #define MESH_CAD_OUTPUT_H
 
+#include "Mesh_cad_faces.h"
 #include "Mesh_cad_intersections.h"
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_result.h"
@@ -183,6 +184,7 @@ inline void write_json(std::ostream& out, const Mesh_cad_options& options, const
   nlohmann::ordered_json json = {{"name", title(options)}};
   json.update(json_of_shape(result));
   json.update(json_of_names(result.names));
+  json["face_list"] = json_of_faces(face_list(result.open_cascade_shape, unit_in_millimetres(options)), result.names);
   json.update(json_of_mesh(result));
   if(result.second_order)
     json["second_order"] = mesh_patch::json_of_second_order(*result.second_order);
@@ -363,20 +365,29 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
       << result.model_seconds << ", measuring " << result.measuring_seconds << ", looking for intersections " << result.intersections_seconds << ")\n";
 }
 
-// What --list asks for.
-inline void list_parts(std::ostream& out, const Mesh_cad_options& given)
+// What --list or --list-faces asks for.
+inline void list(std::ostream& out, const Mesh_cad_options& given)
 {
   const double unit = unit_in_millimetres(given);
   Mesh_cad_options options = given;
   scale_lengths(unit, options);
   Mesh_cad_result result;
   Output_files files;
+  Face_list faces;
   if(!options.json.empty()) {
     mesh_patch::check_ending("json", options.json, {".json"});
-    files.add(options.json, [&](std::ostream& json) { write_json(json, json_of_names(result.names)); });
+    files.add(options.json, [&](std::ostream& out_of_json) {
+      nlohmann::ordered_json json = json_of_names(result.names);
+      json["face_list"] = json_of_faces(faces, result.names);
+      write_json(out_of_json, json);
+    });
   }
   const TopoDS_Shape shape = read_shape(options, result);
+  if(options.is_face_list_wanted || !options.json.empty())
+    faces = face_list(shape, unit);
   print_parts(out, title(options), has_unit(options) ? options.unit : "the unit of the file", unit, result.names, shape);
+  if(options.is_face_list_wanted)
+    print_faces(out, faces, result.names);
   scale_lengths(1 / unit, result.names);
   files.write();
 }

@@ -23,6 +23,9 @@
 #ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_MED
 #include <CGAL/IO/write_MED.h>
 #endif
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_3MF
+#include <CGAL/IO/write_element_3MF.h>
+#endif
 
 #include <BRepTools.hxx>
 
@@ -130,6 +133,18 @@ inline void write_med(std::ostream& out, const Mesh_cad_options& options, const 
 inline void write_med(std::ostream&, const Mesh_cad_options&, const Mesh_cad_result&) {} // the ending is refused before
 #endif
 
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_3MF
+inline void write_3mf(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
+{
+  write_through_file(out, [&](const std::string& name) {
+    CGAL::IO::write_3MF(name, element_mesh(options, result), unit_in_millimetres(options));
+    return true;
+  });
+}
+#else
+inline void write_3mf(std::ostream&, const Mesh_cad_options&, const Mesh_cad_result&) {} // the ending is refused before
+#endif
+
 // The shape itself, in millimetres, with the mesh as its triangulation.
 inline void write_brep(std::ostream& out, const Mesh_cad_options& options, const Mesh_cad_result& result)
 {
@@ -157,6 +172,9 @@ inline std::vector<std::string> endings_for_solvers()
 inline std::vector<std::string> all_endings()
 {
   std::vector<std::string> result{".off", ".obj", ".ply", ".stl", ".glb", ".brep"};
+#ifdef CGAL_PARAMETRIC_SURFACE_MESHER_USE_3MF
+  result.push_back(".3mf");
+#endif
   for(const std::string& ending : endings_for_solvers())
     result.push_back(ending);
   return result;
@@ -181,6 +199,8 @@ inline void write_result(std::ostream& out, const std::string& file_name, const 
     write_brep(out, options, result);
   else if(mesh_patch::has_ending(file_name, ".med"))
     write_med(out, options, result);
+  else if(mesh_patch::has_ending(file_name, ".3mf"))
+    write_3mf(out, options, result);
   else if(mesh_patch::has_ending(file_name, ".ply"))
     write_ply(out, result);
   else

@@ -37,8 +37,8 @@ bool is_whole(const Mesh_cad_options& options, const Mesh_cad_result& result)
 // returns the exit status
 int run(const Mesh_cad_options& options)
 {
-  if(options.is_list_wanted) {
-    mesh_cad::list_parts(std::cout, options);
+  if(options.is_list_wanted || options.is_face_list_wanted) {
+    mesh_cad::list(std::cout, options);
     return 0;
   }
   Mesh_cad_result result;

@@ -4,6 +4,7 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_FILES_MEDIT_READER_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_FILES_MEDIT_READER_H
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Element_mesh_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/files/Element_sets.h>
+#include <CGAL/Parametric_surface_mesher/internal/files/Sides_of_parts.h>
 
 #include <algorithm>
 #include <array>
@@ -28,12 +29,7 @@ namespace internal {
 // Writes STL files, as text or binary.
 class Stl_writer
 {
-  // One side of a triangle, as a part has it. Triangles without a part have one side.
-  struct Side
-  {
-    std::array<std::size_t, 3> nodes;
-    std::size_t part; // or the number of parts
-  };
+  typedef Side_of_part Side;
 
   std::ostream& m_out;
   const Element_mesh_3& m_mesh;
@@ -43,9 +39,7 @@ public:
 
   void write_text() const
   {
-    std::vector<std::vector<Side>> triangles(m_mesh.parts.size() + 1); // by part; the last ones have none
-    for(const Side& side : sides())
-      triangles[side.part].push_back(side);
+    const std::vector<std::vector<Side>> triangles = sides_by_part(m_mesh);
     Unique_names names(one_line);
     for(std::size_t p = 0; p < triangles.size(); ++p) {
       if(triangles[p].empty())
@@ -63,7 +57,7 @@ public:
     std::string header = "binary STL; attributes are numbers of parts"; // must not begin with "solid"
     header.resize(80, ' ');
     m_out.write(header.data(), std::streamsize(header.size()));
-    const std::vector<Side> all = sides();
+    const std::vector<Side> all = sides_of_parts(m_mesh);
     write_bytes(all.size(), 4);
     const std::size_t largest_attribute = 0x7fff; // larger ones are colours for some programs
     for(const Side& side : all) {
@@ -77,19 +71,6 @@ public:
 
 private:
   typedef Element_mesh_3::Point Point;
-
-  std::vector<Side> sides() const
-  {
-    std::vector<Side> result;
-    for(std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
-      const auto& t = m_mesh.triangles[i];
-      const auto& parts = m_mesh.surfaces[m_mesh.triangle_surfaces[i]].parts;
-      result.push_back({{{t[0], t[1], t[2]}}, (std::min)(parts[0], m_mesh.parts.size())});
-      if(parts[1] < m_mesh.parts.size())
-        result.push_back({{{t[0], t[2], t[1]}}, parts[1]});
-    }
-    return result;
-  }
 
   Point normal(const Side& side) const
   {
