@@ -2,7 +2,7 @@
 # This file is part of Parametric_surface_mesher, an extension package of CGAL.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds everything in build/ and runs all tests; then those of
+# Installs what is missing, builds everything in build/tests/ and runs all tests; then those of
 # test/Parametric_surface_mesher/CMakeLists.txt's list, and the examples, under the address and undefined-behaviour
 # sanitizers in build/sanitize/.
 set -euo pipefail
@@ -26,11 +26,12 @@ configure() {
   cmake -S . -B "$directory" "$@" > "$log" 2>&1 || { cat "$log"; exit 1; }
 }
 
-configure build -DCMAKE_BUILD_TYPE=Release
+# With -O1 it compiles in 0.8 of the time that -O3 takes, and the tests are as fast. So it is not in build/, whose programs are fast.
+configure build/tests -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
 echo "== Building"
-cmake --build build -j "$jobs"
+cmake --build build/tests -j "$jobs"
 echo "== Testing"
-ctest --test-dir build --output-on-failure -j "$jobs"
+ctest --test-dir build/tests --output-on-failure -j "$jobs"
 
 # Without Open CASCADE, whose programs take long to build with sanitizers.
 configure build/sanitize -DCMAKE_BUILD_TYPE=Release -DPARAMETRIC_SURFACE_MESHER_SANITIZE=address,undefined \

@@ -1,15 +1,19 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// make_parametric_surface_mesh() beside CGAL's own meshers, on what both can do: make_surface_mesh() on the sphere and the
-// torus as implicit surfaces, Delaunay_mesher_2 on the flat square. All are asked for 30 degrees and the same number of
-// triangles.
+// make_parametric_surface_mesh() beside CGAL's own meshers, on what both can do: make_surface_mesh() and make_mesh_3() on the sphere and
+// the torus as implicit surfaces, Delaunay_mesher_2 on the flat square, and remeshers of a finer mesh. All are asked for the same number
+// of triangles, and for 30 degrees if they can be asked.
 
 #include "Benchmark_settings.h"
 #include "Sample_mesher.h"
 #include "Text_table.h"
 #include "cgal_meshers.h"
 #include "measure.h"
+
+#ifdef WITH_REMESHERS
+#include "cgal_remeshers.h"
+#endif
 
 #include <CGAL/Triangle_mesh_quality.h>
 #include <CGAL/make_parametric_surface_mesh.h>
@@ -81,6 +85,10 @@ void compare(const std::string& name, double size, const Benchmark_settings& set
   std::vector<Competitor> competitors = {{parametric_mesher(sample)}};
   for(const Sample_mesher& mesher : cgal_meshers::meshers_of(sample, size))
     competitors.push_back({mesher});
+#ifdef WITH_REMESHERS
+  for(const Sample_mesher& mesher : cgal_remeshers::meshers_of(sample, size))
+    competitors.push_back({mesher});
+#endif
   for(Competitor& competitor : competitors)
     competitor.edge_length = calibrated_edge_length(competitor.mesher, sample, size);
   for(std::size_t i = 0; i < settings.repeat; ++i)
@@ -93,8 +101,8 @@ void compare(const std::string& name, double size, const Benchmark_settings& set
 const char usage[] =
   "Usage: compare_with_cgal_mesher [SIZE...] [OPTIONS]\n"
   "Meshes the sphere, the torus and the flat square with about SIZE triangles by this package and by CGAL's\n"
-  "make_surface_mesh() and Delaunay_mesher_2, and prints speeds and shapes. Times are processor times, user and\n"
-  "system. The deviation is the largest distance from the surface, at middles of edges and centroids.\n";
+  "make_surface_mesh(), Delaunay_mesher_2 and, if built so, make_mesh_3() and remeshers, and prints speeds and shapes. Times are\n"
+  "processor times, user and system, without that of the finer mesh that remeshers start from. The deviation is the largest distance from the surface, at middles of edges and centroids.\n";
 
 } // namespace
 

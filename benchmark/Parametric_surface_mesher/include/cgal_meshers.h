@@ -118,7 +118,7 @@ inline Mesher_run mesh_polygon(const std::vector<Point_2>& polygon, double edge_
   return run;
 }
 
-// those that can mesh the sample, for about `size` triangles: one or none
+// those that can mesh the sample, for about `size` triangles
 inline std::vector<Sample_mesher> meshers_of(const Sample& sample, double size)
 {
   if(sample.name == "flat") {
