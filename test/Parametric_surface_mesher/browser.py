@@ -31,7 +31,7 @@ class Browser:
         # The descriptors 3 and 4 are those of the protocol.
         command = ("exec 3<&%d 4>&%d; exec \"$@\"" % (to_browser, from_browser), "sh", find_browser(),
                    "--headless=new", "--remote-debugging-pipe", "--user-data-dir=" + self.folder, "--no-first-run", "--hide-scrollbars",
-                   "--disable-gpu-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--force-device-scale-factor=1",
+                   "--disable-gpu-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--force-device-scale-factor=1",
                    "--window-size=%d,%d" % (width, height)) + (("--no-sandbox",) if os.geteuid() == 0 else ())
         self.process = subprocess.Popen(("bash", "-c") + command, pass_fds=(to_browser, from_browser), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_browser)
