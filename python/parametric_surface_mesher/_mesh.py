@@ -164,10 +164,8 @@ class Mesh:
 
     def page(self) -> str:
         """A page to look at in a browser, as HTML: the mesh can be turned and cut, and shows what was not met. ``save("part.html")`` writes it."""
-        if not hasattr(self._core, "page"):
-            raise MeshingError("the module was built without three.js (Debian: libjs-three), so that it cannot make pages")
         with sentences():
-            return self._core.page()
+            return self._core.page() if hasattr(self._core, "summary") else self._core.page("mesh", self.summary())
 
     def _repr_html_(self) -> str:
         """What a notebook shows: the page, if there is one, else a table."""

@@ -6,6 +6,7 @@
 #include "Progress_line.h"
 #include "Unmet_count.h"
 #include "write_mesh_file.h"
+#include "write_page.h"
 
 #include <CGAL/Element_mesh_3.h>
 #include <CGAL/IO/write_BDF.h>
@@ -16,6 +17,7 @@
 #include <CGAL/Rectangular_patch_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Triangle_mesh_quality.h>
+#include <CGAL/make_mesh_page.h>
 #include <CGAL/make_model_of_rectangular_patches.h>
 #include <CGAL/make_parametric_surface_mesh.h>
 
@@ -28,6 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -159,6 +162,7 @@ std::array<std::size_t, 3> Surface_model::numbers() const
 
 struct Meshed_model::Data
 {
+  Model model;
   Mesh mesh;
   Mesh::Property_map<Mesh::Halfedge_index, Point_2> uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
   Mesh::Property_map<Mesh::Face_index, std::size_t> patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
@@ -166,8 +170,14 @@ struct Meshed_model::Data
     = mesh.add_property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place>("e:place").first;
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
-  std::size_t number_of_faces = 0; // of the model
-  double distance = 0;             // the largest one that was measured from the surfaces
+  double distance = 0; // the largest one that was measured from the surfaces
+
+  // Where the mesh lies in the model, as named parameters.
+  auto places() const
+  {
+    namespace parameters = CGAL::parameters;
+    return parameters::halfedge_uv_map(uv, parameters::face_patch_id_map(patch, parameters::edge_place_map(edge_place)));
+  }
 };
 
 namespace {
@@ -207,7 +217,7 @@ CGAL::Parametric_surface_mesh_criteria to_criteria(const Criteria& c)
 
 // The largest distance between triangles and the points of the surfaces over the middles of their sides and their centroids.
 template <class Data>
-double largest_distance(const Data& data, const Model& model)
+double largest_distance(const Data& data)
 {
   const std::array<std::array<double, 3>, 4> places = {{{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1. / 3, 1. / 3, 1. / 3}}};
   double squared = 0;
@@ -222,7 +232,7 @@ double largest_distance(const Data& data, const Model& model)
     const Kernel::Triangle_3 triangle(points[0], points[1], points[2]);
     for(const auto& w : places) {
       const double u = w[0] * uv[0].x() + w[1] * uv[1].x() + w[2] * uv[2].x(), v = w[0] * uv[0].y() + w[1] * uv[1].y() + w[2] * uv[2].y();
-      squared = (std::max)(squared, CGAL::squared_distance(model.faces()[data.patch[f]].surface.point(u, v), triangle));
+      squared = (std::max)(squared, CGAL::squared_distance(data.model.faces()[data.patch[f]].surface.point(u, v), triangle));
     }
   }
   return std::sqrt(squared);
@@ -245,7 +255,6 @@ CGAL::Parametric_surface_mesh_report make_mesh(const Model& model, const Criteri
 
 Meshed_model Surface_model::mesh(const Criteria& given, const Mesh_callbacks& callbacks) const
 {
-  namespace parameters = CGAL::parameters;
   if(m_data->model.faces().empty())
     throw std::invalid_argument("the model has no face");
   Model model = m_data->model;
@@ -253,12 +262,9 @@ Meshed_model Surface_model::mesh(const Criteria& given, const Mesh_callbacks& ca
     model.set_sizing_field([size = callbacks.size](const Point_3& p) { return size(p.x(), p.y(), p.z()); });
   const auto data = std::make_shared<Meshed_model::Data>();
   Progress_line progress(true, callbacks);
-  const auto places = parameters::halfedge_uv_map(
-                        data->uv, parameters::face_patch_id_map(data->patch, parameters::edge_place_map(data->edge_place)))
-                        .visitor(std::ref(progress));
-  data->report = make_mesh(model, given, to_criteria(given), data->mesh, places);
-  data->number_of_faces = model.faces().size();
-  data->distance = largest_distance(*data, model);
+  data->report = make_mesh(model, given, to_criteria(given), data->mesh, data->places().visitor(std::ref(progress)));
+  data->model = m_data->model;
+  data->distance = largest_distance(*data);
   data->quality = CGAL::triangle_mesh_quality(data->mesh);
   Meshed_model result;
   result.m_data = data;
@@ -301,7 +307,7 @@ std::string Meshed_model::json() const
     intersections.push_back({{"faces", {i.faces[0] + 1, i.faces[1] + 1}}, {"triangle_pairs", i.number_of_pairs}, {"place", i.place},
                              {"of_shape", i.is_of_surfaces}});
   nlohmann::ordered_json json = {
-    {"faces", m_data->number_of_faces}, {"vertices", q.number_of_vertices}, {"triangles", q.number_of_faces}, {"area", q.area},
+    {"faces", m_data->model.faces().size()}, {"vertices", q.number_of_vertices}, {"triangles", q.number_of_faces}, {"area", q.area},
     {"closed", q.is_closed}, {"components", q.number_of_connected_components}, {"max_edge", report.max_edge}, {"min_edge", report.min_edge},
     {"min_angle", q.min_angle}, {"mean_min_angle", q.mean_min_angle}, {"mean_radius_ratio", q.mean_radius_ratio},
     {"distance", m_data->distance}, {"self_intersections", intersections}, {"unmet_by", mesh_patch::json_of_unmet(report)},
@@ -309,6 +315,14 @@ std::string Meshed_model::json() const
     {"meshing_phases", {{"division", s.division}, {"triangulation", s.triangulation}, {"refinement", s.refinement},
                         {"improvement", s.improvement}, {"intersections", s.intersections}, {"output", s.output}}}};
   return json.dump();
+}
+
+std::string Meshed_model::page(const std::string& title, const std::string& summary) const
+{
+  mesh_patch::check_page(title);
+  std::ostringstream out;
+  mesh_patch::write_page(out, CGAL::make_mesh_page(m_data->model, m_data->mesh, m_data->report, m_data->places()), title, "", summary);
+  return out.str();
 }
 
 namespace {
@@ -359,7 +373,7 @@ void Meshed_model::save(const std::string& file_name, bool is_binary) const
       CGAL::IO::set_binary_mode(out);
     for(const auto& writer : writers)
       if(mesh_patch::has_ending(file_name, writer.first)) {
-        if(!writer.second(out, element_mesh(arrays(), m_data->number_of_faces)))
+        if(!writer.second(out, element_mesh(arrays(), m_data->model.faces().size())))
           out.setstate(std::ios::failbit);
         return;
       }

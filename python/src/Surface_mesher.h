@@ -90,6 +90,7 @@ class Meshed_model
 public:
   Mesh_arrays arrays() const;
   std::string json() const;
+  std::string page(const std::string& title, const std::string& summary) const; // for a browser
   void save(const std::string& file_name, bool is_binary) const;
 };
 

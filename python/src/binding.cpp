@@ -139,6 +139,7 @@ void define_models(py::module_& m)
   py::class_<Meshed_model>(m, "MeshedModel")
     .def("arrays", &arrays<Meshed_model>)
     .def("json", &Meshed_model::json)
+    .def("page", &Meshed_model::page, "title"_a, "summary"_a)
     .def("save", &Meshed_model::save, "file_name"_a, "is_binary"_a);
 
   py::class_<Surface_model>(m, "SurfaceModel")
@@ -178,6 +179,7 @@ void define_cad(py::module_& m)
   py::class_<Meshed_cad_file>(m, "MeshedCadFile")
     .def("arrays", &arrays<Meshed_cad_file>)
     .def("json", &Meshed_cad_file::json)
+    .def("page", &Meshed_cad_file::page)
     .def("summary", &Meshed_cad_file::summary)
     .def("save", &Meshed_cad_file::save, "file_name"_a, "is_binary"_a, "node_parameters"_a, py::call_guard<py::gil_scoped_release>())
     .def_property_readonly("is_whole", &Meshed_cad_file::is_whole);

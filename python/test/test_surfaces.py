@@ -322,6 +322,12 @@ class Files(unittest.TestCase):
     def test_notebooks_and_pictures(self):
         mesh = psm.mesh_surface(HILL, SQUARE, max_edge=0.3)
         self.assertIn("<", mesh._repr_html_())
+        self.assertIn("<table>", mesh._table())
+        try:
+            self.assertIn("<html", mesh.page())
+            self.assertIn("<iframe", mesh._repr_html_())
+        except psm.MeshingError as error:
+            self.assertIn("three.js", str(error))
         self.assertIn("triangles", repr(mesh))
         self.assertIn("triangles", mesh.summary())
         try:

@@ -86,21 +86,21 @@ class Shape_triangulator
   const TriangleMesh& m_tm;
   const NamedParameters& m_np;
   TopTools_IndexedMapOfShape m_faces, m_edges, m_vertices;
-  std::vector<std::size_t> m_shape_edges;             // by edge of the model, or `none`
+  std::vector<std::vector<std::size_t>> m_shape_edges; // by edge of the model: where faces are closed up, one is several of the shape
   std::vector<std::vector<face_descriptor>> m_triangles; // by face of the shape
   std::map<std::size_t, std::vector<vertex_descriptor>> m_vertices_at; // of the mesh, by vertex of the shape
   std::size_t m_number_of_faces = 0, m_number_of_bare_edges = 0;
 
 public:
   Shape_triangulator(const Open_cascade_model_3& model, const TriangleMesh& tm, const NamedParameters& np, const TopoDS_Shape& shape)
-    : m_shape(model), m_tm(tm), m_np(np), m_shape_edges(model.model.edges().size(), Open_cascade_model_3::none)
+    : m_shape(model), m_tm(tm), m_np(np), m_shape_edges(model.model.edges().size())
   {
     TopExp::MapShapes(shape, TopAbs_FACE, m_faces);
     TopExp::MapShapes(shape, TopAbs_EDGE, m_edges);
     TopExp::MapShapes(shape, TopAbs_VERTEX, m_vertices);
     for(std::size_t e = 0; e < model.model_edges.size(); ++e)
-      if(model.model_edges[e].size() == 1) // one that is in several pieces, or has another one in its place, is found by its ends
-        m_shape_edges[model.model_edges[e].front()] = e;
+      if(model.model_edges[e].size() == 1)
+        m_shape_edges[model.model_edges[e].front()].push_back(e);
     collect_triangles();
     collect_vertices();
   }
@@ -210,7 +210,7 @@ private:
   void add_piece(halfedge_descriptor h, int from, int to, Pieces& pieces) const
   {
     const Parametric_surface_mesher::Edge_place place = get(map(Edge_place_map_t()), edge(h, m_tm));
-    if(place.index == Parametric_surface_mesher::Edge_place::none || m_shape_edges[place.index] == Open_cascade_model_3::none)
+    if(place.index == Parametric_surface_mesher::Edge_place::none)
       return;
     const auto& curve = m_shape.model.edges()[place.index].curve;
     const auto ends = std::minmax(place.parameters[0], place.parameters[1]);
@@ -221,11 +221,10 @@ private:
       const auto q = curve->point(t);
       return p.Distance(gp_Pnt(q.x(), q.y(), q.z()));
     };
-    auto& of_edge = pieces[m_shape_edges[place.index]];
-    if(distance(first, ends.first) + distance(last, ends.second) <= distance(first, ends.second) + distance(last, ends.first))
-      of_edge.push_back({from, to, ends.first, ends.second, true});
-    else
-      of_edge.push_back({to, from, ends.first, ends.second, false});
+    const bool is_along_loop
+      = distance(first, ends.first) + distance(last, ends.second) <= distance(first, ends.second) + distance(last, ends.first);
+    for(const std::size_t e : m_shape_edges[place.index])
+      pieces[e].push_back({is_along_loop ? from : to, is_along_loop ? to : from, ends.first, ends.second, is_along_loop});
   }
 
   // The largest distance of points of the surface over the middles of the sides and the centroid from the plane of the triangle.
@@ -293,21 +292,23 @@ private:
     return result;
   }
 
-  // Of an edge that is a point of the mesh, at a pole for instance: all nodes there, in the order of the curve in the domain.
+  // Of an edge that is a point of the mesh, at a pole or because it is short: all nodes there, in the order of the curve in the domain.
   std::optional<Chain> chain_at_vertex(const TopoDS_Edge& edge, const TopoDS_Face& face,
                                        const Face_triangulation<vertex_descriptor>& triangulation) const
   {
     const TopoDS_Vertex first_vertex = TopExp::FirstVertex(edge), last_vertex = TopExp::LastVertex(edge);
     double first = 0, last = 0;
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
-    if(first_vertex.IsNull() || !first_vertex.IsSame(last_vertex) || !BRep_Tool::Degenerated(edge) || curve.IsNull())
+    if(first_vertex.IsNull() || curve.IsNull() || !(BRep_Tool::Degenerated(edge) || is_point(edge)))
       return std::nullopt;
-    const auto found = m_vertices_at.find(std::size_t(m_vertices.FindIndex(first_vertex)) - 1);
     std::vector<int> nodes;
-    if(found != m_vertices_at.end())
-      for(const vertex_descriptor v : found->second)
-        for(const int node : triangulation.nodes_of(v))
-          nodes.push_back(node);
+    for(const TopoDS_Vertex& vertex : {first_vertex, last_vertex}) {
+      const auto found = m_vertices_at.find(std::size_t(m_vertices.FindIndex(vertex)) - 1);
+      if(nodes.empty() && found != m_vertices_at.end())
+        for(const vertex_descriptor v : found->second)
+          for(const int node : triangulation.nodes_of(v))
+            nodes.push_back(node);
+    }
     if(nodes.empty())
       return std::nullopt;
     const gp_Pnt2d begin = curve->Value(first);
@@ -320,6 +321,28 @@ private:
     for(std::size_t i = 0; i < nodes.size(); ++i)
       result.parameters.push_back(first + (last - first) * double(i) / double(nodes.size() - 1));
     return result;
+  }
+
+  bool is_point(const TopoDS_Edge& edge) const
+  {
+    const std::size_t e = std::size_t(m_edges.FindIndex(edge)) - 1;
+    return e < m_shape.model_edges.size() && m_shape.model_edges[e].empty();
+  }
+
+  // Turns the chain of an edge that has another one in its place, which may run in the other direction.
+  static void turn(Chain& chain, const TopoDS_Edge& edge, const TopoDS_Face& face, const Face_triangulation<vertex_descriptor>& triangulation)
+  {
+    double first = 0, last = 0;
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    if(curve.IsNull() || chain.nodes.front() == chain.nodes.back())
+      return;
+    const gp_Pnt2d begin = curve->Value(first), end = curve->Value(last), a = triangulation.uv(chain.nodes.front()), b = triangulation.uv(chain.nodes.back());
+    if(a.Distance(begin) + b.Distance(end) <= a.Distance(end) + b.Distance(begin))
+      return;
+    std::reverse(chain.nodes.begin(), chain.nodes.end());
+    std::reverse(chain.parameters.begin(), chain.parameters.end());
+    for(double& parameter : chain.parameters)
+      parameter = first + last - parameter;
   }
 
   // A closed face has an edge twice: first the chain beside the curve of the edge in its own direction.
@@ -348,8 +371,10 @@ private:
         std::swap(chains[0], chains[1]);
       BRep_Builder().UpdateEdge(edge, polygon(chains[0]), polygon(chains[1]), finished, face.Location());
     }
-    else
+    else {
+      turn(chains[0], edge, TopoDS::Face(face.Oriented(TopAbs_FORWARD)), triangulation);
       BRep_Builder().UpdateEdge(edge, polygon(chains[0]), finished, face.Location());
+    }
   }
 };
 
