@@ -14,12 +14,21 @@ Triangles have angles of at least 30 degrees, in practice 38 on most surfaces; t
 that meshes fit together; what could not be met is in ``mesh.report``. Where to read on: ``help(psm.mesh_surface)``,
 ``help(psm.mesh_cad)``, ``help(psm.Mesh)``, ``help(psm.Surface)``, ``help(psm.Model)``.
 """
+import importlib.util as _util
+
+if _util.find_spec(__name__ + "._core") is None:
+    import pathlib as _pathlib
+    import sys as _sys
+    _built = ", ".join(path.name for path in _pathlib.Path(__file__).parent.glob("_core.*.so")) or "none"
+    raise ImportError(f"{_sys.executable} finds no compiled part of parametric_surface_mesher that fits it (there is: {_built}); start the Python "
+                      "that it was built for, or build it with -DPython3_EXECUTABLE=... for this one")
+
+from . import _core
 from ._errors import MeshingError
 from ._formula import FormulaError
 from ._mesh import Group, Mesh, MeshingInterrupted
 from ._model import Model, mesh_patches, mesh_surface
 from ._surfaces import Curve, Surface, read_bezier_patches
-from . import _core
 
 __all__ = ["Curve", "FormulaError", "Group", "Mesh", "MeshingError", "MeshingInterrupted", "Model", "Surface", "mesh_patches",
            "mesh_surface", "read_bezier_patches"]
