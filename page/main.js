@@ -11,6 +11,7 @@ class Page {
     this.mesh = mesh;
     this.selected = -1;
     this.hovered = -1;
+    this.rest = 0;
     this.hidden = new Set(); // faces
     this.colorings = coloringsOf(mesh);
     this.coloring = this.colorings[0];
@@ -111,7 +112,7 @@ class Page {
     let pressed = null;
     const place = event => { const box = canvas.getBoundingClientRect(); return { x: event.clientX - box.left, y: event.clientY - box.top }; };
     canvas.addEventListener("pointerdown", event => { pressed = place(event); this.hover(-1, null); }, true);
-    canvas.addEventListener("pointermove", event => { if (event.buttons === 0) this.waiting = { view, place: place(event) }; });
+    canvas.addEventListener("pointermove", event => { if (event.buttons === 0) this.waiting = { view, place: place(event), time: performance.now() }; });
     canvas.addEventListener("pointerleave", () => { this.waiting = null; this.hover(-1, null); });
     // At the document: the controls keep events of the canvas to themselves while a button is pressed.
     document.addEventListener("pointerup", event => {
@@ -165,6 +166,14 @@ class Page {
     }
     if (this.domain.face !== face) this.domain.show(face, this.colors);
     this.panel.showDomain(face, this.domain);
+  }
+
+  // Where it takes long to find the triangle under the mouse, it is looked for only when the mouse rests.
+  hoverWaiting() {
+    const { view, place } = this.waiting, begin = performance.now();
+    this.waiting = null;
+    this.hover(view.pick(place.x, place.y), view === this.view ? place : null);
+    this.rest = performance.now() - begin > 40 ? 150 : 0; // milliseconds
   }
 
   // Without a triangle, the selected one stays marked.
@@ -222,11 +231,7 @@ class Page {
   }
 
   draw() {
-    if (this.waiting) {
-      const { view, place } = this.waiting;
-      this.waiting = null;
-      this.hover(view.pick(place.x, place.y), view === this.view ? place : null);
-    }
+    if (this.waiting && performance.now() - this.waiting.time >= this.rest) this.hoverWaiting();
     this.view.update();
     if (this.domain) this.domain.update();
     requestAnimationFrame(() => this.draw());

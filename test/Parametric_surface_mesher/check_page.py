@@ -96,6 +96,7 @@ class Page(unittest.TestCase):
         self.assertNotEqual(self.browser.evaluate("meshPage.view.pick(%f, %f)" % (seen["x"], seen["y"])), seen["triangle"])
         self.browser.evaluate("document.getElementById('show-all').click()")
         self.browser.mouse("mouseMoved", 5, 5)
+        self.browser.wait_for("meshPage.hovered < 0 && !meshPage.waiting")
         self.assertEqual(self.view().difference(whole), 0)
         self.assertEqual(self.browser.errors, [])
 
@@ -116,8 +117,7 @@ class Page(unittest.TestCase):
             p.divideScalar(3).project(d.camera);
             return [box.left + 0.5 * (p.x + 1) * box.width, box.top + 0.5 * (1 - p.y) * box.height, largest]; })()""")
         self.browser.mouse("mouseMoved", x, y)
-        self.browser.settle()
-        self.assertEqual(self.browser.evaluate("meshPage.hovered"), triangle)
+        self.browser.wait_for("meshPage.hovered === %d" % triangle)
         self.assertEqual(self.browser.evaluate("meshPage.view.hovered.geometry.drawRange.start"), 3 * triangle)
         # The ellipse runs through the corners of its triangle.
         error = self.browser.evaluate("""(() => { const d = meshPage.domain, ends = d.ellipseEnds(%d);
