@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Edges and points inside faces, which the mesh follows.
-#include <CGAL/Any_parametric_surface_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Parametric_function_surface_3.h>
-#include <CGAL/Parametric_surface_model_3.h>
+#include "Wave_model.h"
+
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/make_parametric_surface_mesh.h>
 
@@ -24,75 +22,9 @@
 namespace {
 
 namespace psm = CGAL::Parametric_surface_mesher;
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef Kernel::Point_2 Point_2;
-typedef Kernel::Point_3 Point_3;
-typedef CGAL::Any_parametric_surface_3<Kernel> Surface;
-typedef CGAL::Parametric_surface_model_3<Surface> Model;
-typedef Model::Curve Curve;
 typedef CGAL::Parametric_surface_mesh_criteria Criteria;
 
 const double pi = 4 * std::atan(1.);
-
-Surface wave()
-{
-  return CGAL::make_parametric_function_surface([](auto u, auto v) {
-    using std::sin;
-    return CGAL::parametric_surface_point(u, v, 0.2 * sin(3 * u) * sin(2 * v));
-  });
-}
-
-// A model whose first face is the square [0,1]^2 of the wave, and the next ones squares beside it.
-struct Wave_model
-{
-  Surface surface = wave();
-  Model model;
-  std::map<std::pair<double, double>, std::size_t> vertices; // by parameters
-
-  std::size_t vertex(double u, double v)
-  {
-    const auto found = vertices.find({u, v});
-    return found != vertices.end() ? found->second : vertices[{u, v}] = model.add_vertex(surface.point(u, v));
-  }
-
-  std::size_t add_edge(const Point_2& p, const Point_2& q) { return model.add_edge(vertex(p.x(), p.y()), vertex(q.x(), q.y())); }
-
-  std::size_t add_face(const std::vector<Point_2>& corners)
-  {
-    Model::Face face{surface, {{}}};
-    for(std::size_t i = 0; i < corners.size(); ++i) {
-      const Point_2 p = corners[i], q = corners[(i + 1) % corners.size()];
-      const bool is_reversed = edges.count({q, p}) > 0;
-      if(!is_reversed)
-        edges[{p, q}] = add_edge(p, q);
-      face.loops[0].push_back({is_reversed ? edges[{q, p}] : edges[{p, q}], is_reversed,
-                               is_reversed ? Curve::segment(q, p) : Curve::segment(p, q)});
-    }
-    return model.add_face(face);
-  }
-
-  std::size_t add_inner_segment(std::size_t face, const Point_2& p, const Point_2& q)
-  {
-    const std::size_t edge = add_edge(p, q);
-    model.add_inner_edge(face, edge, Curve::segment(p, q));
-    return edge;
-  }
-
-  std::size_t add_inner_circle(std::size_t face, const Point_2& center, double radius)
-  {
-    const std::size_t v = vertex(center.x() + radius, center.y()), edge = model.add_edge(v, v);
-    model.add_inner_edge(face, edge, Curve::circle(center, radius));
-    return edge;
-  }
-
-  void add_inner_point(std::size_t face, const Point_2& p, double max_edge = 0)
-  {
-    model.add_inner_point(face, vertex(p.x(), p.y()), p, max_edge);
-  }
-
-private:
-  std::map<std::pair<Point_2, Point_2>, std::size_t> edges;
-};
 
 const std::vector<Point_2> unit_square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
@@ -273,6 +205,20 @@ TEST_P(Inner_edges_of_shells, are_edges_of_other_faces)
 
 INSTANTIATE_TEST_SUITE_P(Shells, Inner_edges_of_shells, testing::Values(0, 1));
 
+// Where the face is narrower than the pieces of its boundary, points of these are moved.
+TEST(Inner_edges, lie_in_narrow_faces)
+{
+  Wave_model wave;
+  wave.add_face({{0, 0}, {1, 0}, {1, 0.03}, {0.4, 0.03}, {0, 0.03}});
+  const std::size_t edge = wave.add_inner_segment(0, {0.5, 0.015}, {0.7, 0.02});
+  for(double u : {0.1, 0.15, 0.2, 0.25, 0.3, 0.33, 0.81, 0.88, 0.95})
+    wave.add_inner_point(0, {u, 0.015});
+  const Placed_mesh placed(wave.model, Criteria(fine_criteria).set_closeness(1.2).set_min_edge(0.022));
+  expect_followed(wave.model, placed, {edge});
+  expect_whole(placed, 0.03);
+  EXPECT_EQ(number_at(placed, wave.surface.point(0.2, 0.015)), 1u);
+}
+
 TEST(Inner_edges, have_their_sizes)
 {
   Wave_model wave;
@@ -294,6 +240,22 @@ TEST(Inner_edges, have_their_sizes)
       }
   }
   EXPECT_EQ(number_at(placed, wave.surface.point(0.8, 0.3)), 1u);
+}
+
+TEST(Inner_edges, form_any_network)
+{
+  for(unsigned int seed = 1; seed <= 60 && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Random_network network(seed);
+    const Criteria criteria = seed % 3 == 0   ? fine_criteria
+                              : seed % 3 == 1 ? Criteria(fine_criteria).set_closeness(1.5).set_min_edge(0.01)
+                                              : Criteria(fine_criteria).set_distance(1e-3).set_detail(0.01);
+    const Placed_mesh placed(network.wave.model, criteria);
+    expect_followed(network.wave.model, placed, network.edges);
+    expect_whole(placed, 1);
+    for(const auto& point : network.wave.model.faces()[0].inner_points)
+      EXPECT_EQ(number_at(placed, network.wave.model.vertices()[point.vertex]), 1u);
+  }
 }
 
 // A sphere, in the coordinates of a chart: from a pole, and across its longitudes.

@@ -15,12 +15,14 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Ax3.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
@@ -139,6 +141,19 @@ TEST(Inner_edges_of_shape, that_do_not_fit_are_named)
   EXPECT_NEAR(CGAL::triangle_mesh_quality(placed.mesh).area, 16, 1e-9);
 }
 
+// The parameters that a projection finds are a period away from those of the face.
+TEST(Inner_edges_of_shape, a_vertex_on_a_cylinder)
+{
+  for(double u : {-7., -1., 0., 6., 12.}) {
+    TopoDS_Face face = BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(), 2), u, u + 2, 0, 3, 1e-7).Face();
+    BRep_Builder().Add(face, BRepBuilderAPI_MakeVertex(gp_Pnt(2 * std::cos(u + 0.7), 2 * std::sin(u + 0.7), 1)).Vertex().Oriented(TopAbs_INTERNAL));
+    const Placed_shape placed(face);
+    ASSERT_EQ(placed.shape.inner_vertices.size(), 1u);
+    EXPECT_EQ(placed.shape.inner_vertices[0].reason, "") << u;
+    EXPECT_TRUE(placed.has_vertex_at(2 * std::cos(u + 0.7), 2 * std::sin(u + 0.7), 1)) << u;
+  }
+}
+
 TopoDS_Shape all_of(const std::vector<TopoDS_Shape>& shapes)
 {
   BRep_Builder builder;
@@ -214,6 +229,15 @@ TEST(Imprint, is_in_front_of_a_plate)
     EXPECT_NEAR(placed.length_on(segment(gp_Pnt(1, 1, 0.1), gp_Pnt(2, 3, 0.1))), std::sqrt(5), 1e-6);
     EXPECT_TRUE(placed.has_vertex_at(3, 3, 0.1));
   }
+}
+
+// A line through a block is projected onto the side that is closer to it.
+TEST(Imprint, is_on_the_closest_face)
+{
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(4, 4, 1).Shape();
+  const auto imprinted = CGAL::imprint_on_open_cascade_shape(plate, {}, segment(gp_Pnt(1, 1, 0.8), gp_Pnt(3, 2, 0.9)), 2);
+  EXPECT_NEAR(imprinted.curves[0].distance, 0.2, 0.02);
+  EXPECT_NEAR(imprinted.curves[0].projected_length, std::sqrt(5), 1e-6);
 }
 
 TEST(Imprint, is_refused_far_from_the_faces)

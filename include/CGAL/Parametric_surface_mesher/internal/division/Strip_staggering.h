@@ -130,7 +130,7 @@ private:
 
   // Returns false if the strip is not narrow, or its pieces are not short.
   bool add_sides(const std::vector<Vertex_handle>& loop, std::size_t i, const Triangulation& triangulation,
-                 Slider& slider) const
+                 Slider& slider)
   {
     const std::size_t n = loop.size();
     const Vertex_handle v = loop[i], before = loop[(i + n - 1) % n], after = loop[(i + 1) % n];
@@ -146,9 +146,11 @@ private:
         const int k = face->index(v);
         const Vertex_handle x = face->vertex(Triangulation::ccw(k)), y = face->vertex(Triangulation::cw(k));
         slider.sides.emplace_back(x->index(), y->index());
-        for(Vertex_handle w : {x, y})
+        for(Vertex_handle w : {x, y}) {
+          m_points.emplace(w->index(), w->point().surface_point()); // a single point inside the face is on no loop with segments
           if(w != before && w != after)
             nearest = (std::min)(nearest, distance(p, w->point().surface_point()));
+        }
       }
     while(++face != first);
     return nearest < (std::min)(a, b);

@@ -8,6 +8,10 @@
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_DOMAIN_PERIODS_H
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_OPEN_CASCADE_DOMAIN_PERIODS_H
 
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/suspend_handle_macro.h>
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
+
 #include <CGAL/Open_cascade_surface_3.h>
 
 #include <cmath>
@@ -43,7 +47,23 @@ public:
                     is_pole_v ? 0 : whole_periods(q.y() - p.y(), m_surface.v_period()));
   }
 
+  // The whole periods that move the middle of a box into another one; none if that is not possible.
+  Vector_2 into(const Bbox_2& inner, const Bbox_2& outer) const
+  {
+    return Vector_2(shift(inner.xmin(), inner.xmax(), outer.xmin(), outer.xmax(), m_surface.u_period()),
+                    shift(inner.ymin(), inner.ymax(), outer.ymin(), outer.ymax(), m_surface.v_period()));
+  }
+
 private:
+  static double shift(double min, double max, double outer_min, double outer_max, double period)
+  {
+    const double middle = 0.5 * (min + max);
+    if(!(period > 0) || (outer_min <= middle && middle <= outer_max))
+      return 0;
+    const double result = period * std::ceil((outer_min - middle) / period);
+    return middle + result <= outer_max ? result : 0;
+  }
+
   static double whole_periods(double difference, double period)
   {
     return period > 0 ? period * std::round(difference / period) : 0;

@@ -159,7 +159,7 @@ private:
         });
     for(auto& inner : m_result.inner_vertices)
       if(inner.shape_face == m_number && inner.reason.empty())
-        inner.reason = reason_of_error([&] { interior.add(inner_point(inner.shape_vertex)); });
+        inner.reason = reason_of_error([&] { interior.add(inner_point(inner.shape_vertex, face.loops.front())); });
   }
 
   template <class Function>
@@ -175,7 +175,7 @@ private:
   }
 
   // \pre vertices of the shape have the same numbers in the model
-  Model::Inner_point inner_point(std::size_t vertex) const
+  Model::Inner_point inner_point(std::size_t vertex, const Loop& outer) const
   {
     const Point_3& p = m_result.model.vertices()[vertex];
     ShapeAnalysis_Surface surface(BRep_Tool::Surface(m_face));
@@ -183,6 +183,7 @@ private:
     Kernel::Point_2 uv(found.X(), found.Y());
     if(m_chart)
       uv = m_chart->domain_point(m_original, uv);
+    uv = uv + Domain_periods(m_surface).into(uv.bbox(), loop_box(outer, [](const Edge_use& use) -> const auto& { return use.curve; }));
     const double distance = std::sqrt(squared_distance(m_surface.point(uv.x(), uv.y()), p));
     if(!(distance <= refused_gap * m_result.diagonal))
       throw Parametric_surface_mesh_error("it is " + describe(distance) + " away from the surface");

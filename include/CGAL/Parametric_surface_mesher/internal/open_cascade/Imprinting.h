@@ -15,15 +15,22 @@
 
 #include <BOPAlgo_Splitter.hxx>
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepLib.hxx>
 #include <BRepOffsetAPI_NormalProjection.hxx>
 #include <BRepTools_History.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <Precision.hxx>
+#include <ShapeConstruct_ProjectCurveOnSurface.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -31,6 +38,8 @@
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <gp_Pnt.hxx>
 
@@ -64,6 +73,9 @@ private:
   // A projection is not behind other faces, as on the back of a plate, if the way from it to the curve meets no face: from this share of
   // the way on, and with at least this distance from faces as a share of its length.
   static constexpr double start_of_way = 0.1, clearance_of_way = 0.01;
+  // Nor is a projection of a place of the curve that is so many times closer to another face. A little more than 1 is needed, since
+  // the place of the curve that is closest to a projected point is not always that of which it is the projection.
+  static constexpr double largest_ratio = 2;
   static const int number_of_samples = 8; // of a projected curve
   // The largest distance of a projected curve from a face, over the reach; more segments than this are not asked for.
   static constexpr double precision_of_projection = 1e-4;
@@ -110,9 +122,13 @@ public:
     for(TopExp_Explorer face(m_faces, TopAbs_FACE); face.More(); face.Next()) {
       Bnd_Box box_of_face;
       BRepBndLib::Add(face.Current(), box_of_face);
-      if(!box.IsOut(box_of_face))
-        for(TopExp_Explorer part(projection(edge, face.Current()), TopAbs_EDGE); part.More(); part.Next())
-          add_part(TopoDS::Edge(part.Current()), edge, result);
+      if(box.IsOut(box_of_face))
+        continue;
+      TopExp_Explorer part(projection(edge, TopoDS::Face(face.Current())), TopAbs_EDGE);
+      if(!part.More())
+        part.Init(projection_of_points(edge, TopoDS::Face(face.Current())), TopAbs_EDGE);
+      for(; part.More(); part.Next())
+        add_part(TopoDS::Edge(part.Current()), edge, result);
     }
     if(!(result.projected_length > 0))
       throw Parametric_surface_mesh_error(name + (result.refused_distance > 0 ? " is up to " + describe(result.refused_distance) + " away from the faces"
@@ -164,7 +180,7 @@ public:
 
 private:
   // The projection of a curve on one face; null if there is none.
-  TopoDS_Shape projection(const TopoDS_Edge& edge, const TopoDS_Shape& face) const
+  TopoDS_Shape projection(const TopoDS_Edge& edge, const TopoDS_Face& face) const
   {
     try {
       BRepOffsetAPI_NormalProjection project(face);
@@ -181,7 +197,33 @@ private:
     }
   }
 
-  // Whether the way from a projected point to the curve meets no face.
+  // The same by an interpolation of projected points: that above misses some curves that lie on the face up to rounding. Null if the curve is
+  // too far away.
+  TopoDS_Shape projection_of_points(const TopoDS_Edge& edge, const TopoDS_Face& face) const
+  {
+    try {
+      const BRepExtrema_DistShapeShape distance(edge, face);
+      double first = 0, last = 0;
+      const opencascade::handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
+      if(!distance.IsDone() || distance.Value() > precision_of_projection * m_reach || curve.IsNull())
+        return TopoDS_Shape();
+      ShapeConstruct_ProjectCurveOnSurface project;
+      project.Init(BRep_Tool::Surface(face), Precision::Confusion());
+      opencascade::handle<Geom_Curve> copy = curve;
+      opencascade::handle<Geom2d_Curve> in_domain;
+      if(!project.Perform(copy, first, last, in_domain) || in_domain.IsNull())
+        return TopoDS_Shape();
+      TopoDS_Edge result = BRepBuilderAPI_MakeEdge(in_domain, BRep_Tool::Surface(face), first, last).Edge();
+      BRepLib::BuildCurve3d(result);
+      return BRepAlgoAPI_Common(result, face).Shape();
+    }
+    catch(const Standard_Failure&) {
+      return TopoDS_Shape();
+    }
+  }
+
+  // Whether the way from a projected point to the curve meets no face, and no other face is much closer to the curve there, as on the other
+  // side of a solid through which the curve runs.
   bool is_in_front(const gp_Pnt& p, const gp_Pnt& on_curve) const
   {
     const double length = p.Distance(on_curve);
@@ -189,22 +231,28 @@ private:
       return true;
     const gp_Pnt start(p.XYZ() + start_of_way * (on_curve.XYZ() - p.XYZ()));
     const BRepExtrema_DistShapeShape distance(BRepBuilderAPI_MakeEdge(start, on_curve).Edge(), m_faces);
-    return distance.IsDone() && distance.Value() > clearance_of_way * length;
+    const BRepExtrema_DistShapeShape of_curve(BRepBuilderAPI_MakeVertex(on_curve).Vertex(), m_faces);
+    return distance.IsDone() && distance.Value() > clearance_of_way * length && of_curve.IsDone()
+           && length <= largest_ratio * of_curve.Value() + precision_of_projection * m_reach;
   }
 
-  // Adds a part of a projection if it is close to the curve, and not behind other faces.
+  // Adds a part of a projection if it is close to the curve, and at most of its samples not behind other faces.
   void add_part(const TopoDS_Edge& part, const TopoDS_Edge& curve, Result& result)
   {
     const BRepAdaptor_Curve adaptor(part);
     double largest = 0;
+    int number_in_front = 0;
     for(int i = 0; i < number_of_samples; ++i) {
       const double share = (i + 0.5) / number_of_samples;
       const gp_Pnt p = adaptor.Value(adaptor.FirstParameter() + share * (adaptor.LastParameter() - adaptor.FirstParameter()));
       const BRepExtrema_DistShapeShape to_curve(BRepBuilderAPI_MakeVertex(p).Vertex(), curve);
-      if(!to_curve.IsDone() || to_curve.NbSolution() == 0 || !is_in_front(p, to_curve.PointOnShape2(1)))
+      if(!to_curve.IsDone() || to_curve.NbSolution() == 0)
         return;
+      number_in_front += is_in_front(p, to_curve.PointOnShape2(1));
       largest = (std::max)(largest, to_curve.Value());
     }
+    if(2 * number_in_front < number_of_samples)
+      return;
     if(largest > m_reach) {
       result.refused_distance = (std::max)(result.refused_distance, largest);
       return;

@@ -342,7 +342,7 @@ private:
   void move_holes_inside(std::vector<Loop>& loops) const
   {
     for(std::size_t l = 1; l < loops.size(); ++l) {
-      const Vector_2 d = shift_inside(box(loops[l]), box(loops.front()));
+      const Vector_2 d = Domain_periods(m_surface).into(box(loops[l]), box(loops.front()));
       if(d != Vector_2(0, 0))
         for(Edge_use& use : loops[l])
           use.curve = translated(use.curve, d);
@@ -351,7 +351,7 @@ private:
 
   void move_inside(Edge_use& use, const Loop& outer) const
   {
-    const Vector_2 d = shift_inside(box({use}), box(outer));
+    const Vector_2 d = Domain_periods(m_surface).into(box({use}), box(outer));
     if(d != Vector_2(0, 0))
       use.curve = translated(use.curve, d);
   }
@@ -373,22 +373,6 @@ private:
   static Bbox_2 box(const Loop& loop)
   {
     return loop_box(loop, [](const Edge_use& use) -> const auto& { return use.curve; });
-  }
-
-  Vector_2 shift_inside(const Bbox_2& inner, const Bbox_2& outer) const
-  {
-    return Vector_2(shift(inner.xmin(), inner.xmax(), outer.xmin(), outer.xmax(), m_surface.u_period()),
-                    shift(inner.ymin(), inner.ymax(), outer.ymin(), outer.ymax(), m_surface.v_period()));
-  }
-
-  // The whole periods that move the middle of a range into another range; 0 if none do.
-  static double shift(double min, double max, double outer_min, double outer_max, double period)
-  {
-    const double middle = 0.5 * (min + max);
-    if(!(period > 0) || (outer_min <= middle && middle <= outer_max))
-      return 0;
-    const double result = period * std::ceil((outer_min - middle) / period);
-    return middle + result <= outer_max ? result : 0;
   }
 };
 
