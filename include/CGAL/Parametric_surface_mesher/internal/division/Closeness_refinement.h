@@ -235,7 +235,7 @@ private:
     std::map<Vertex_handle, std::vector<Piece_at_vertex>> pieces_at;
     for(std::size_t l = 0; l < boundary.loops().size(); ++l) {
       const auto& loop = boundary.loops()[l];
-      for(std::size_t i = 0; i < loop.vertices.size() && !loop.is_single_point(); ++i) {
+      for(std::size_t i = 0; i < loop.vertices.size(); ++i) {
         const Vertex_handle v = loop.vertices[i], w = loop.vertices[(i + 1) % loop.vertices.size()];
         const Measured_piece piece{m_division.piece(face, l, loop.segments[i]), length(v, w)};
         pieces_at[v].push_back({w, piece});
@@ -261,15 +261,14 @@ private:
     return std::adjacent_find(indices.begin(), indices.end()) != indices.end();
   }
 
-  // For each loop of a face that has segments, calls `function` with its index, its segments and vertices, and the triangulation of all loops.
+  // For each loop of a face, calls `function` with its index, its segments and vertices, and the triangulation of all loops.
   template <class Function>
   void for_each_loop(std::size_t face, const Function& function)
   {
     Boundary& boundary = m_boundaries[face];
     boundary.update(m_oracles[face], m_division.boundary_loops(face));
     for(std::size_t l = 0; l < boundary.loops().size(); ++l)
-      if(!boundary.loops()[l].is_single_point())
-        function(l, boundary.loops()[l].segments, boundary.loops()[l].vertices, boundary.triangulation());
+      function(l, boundary.loops()[l].segments, boundary.loops()[l].vertices, boundary.triangulation());
   }
 
   void collect(std::size_t face, std::size_t number, const std::vector<std::size_t>& segments,

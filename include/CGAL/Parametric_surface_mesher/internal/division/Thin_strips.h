@@ -129,7 +129,10 @@ public:
                             across = vertex_across(v, w, boundary.triangulation());
         if(across == Vertex_handle() || !m_division.can_be_split(piece) || m_division.is_kept(piece))
           continue;
-        const std::optional<Place> place = this->place(face, boundary, piece, positions.at(across));
+        const auto position = positions.find(across);
+        if(position == positions.end())
+          continue; // a single point inside the face
+        const std::optional<Place> place = this->place(face, boundary, piece, position->second);
         if(place)
           result[piece.edge].emplace(piece.number, *place);
       }

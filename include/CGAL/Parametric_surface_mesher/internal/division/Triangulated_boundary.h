@@ -19,6 +19,8 @@
 #include <CGAL/Parametric_surface_mesher/internal/triangulation/triangulate_boundary.h>
 #include <CGAL/Parametric_surface_oracle_3.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -70,9 +72,6 @@ public:
   {
     std::vector<Vertex_handle> vertices;
     std::vector<std::size_t> segments; // by vertex: the index in the domain of the segment that begins there; a chart has none between copies of a pole
-
-    // Whether it is a point inside the face, which has no segments.
-    bool is_single_point() const { return vertices.size() == 2 && vertices[0] == vertices[1]; }
   };
 
 private:
@@ -84,7 +83,8 @@ private:
   typedef Parametric_surface_oracle_3<Surface, typename Oracle::Metric_field> Charted_oracle;
 
   std::unique_ptr<Triangulation> m_triangulation;
-  std::vector<Loop> m_loops;
+  std::vector<Loop> m_loops; // with single points as the last ones
+  std::size_t m_number_of_loops = 0; // without these
 
 public:
   // Changes the triangulation to that of these loops, which are in the domain.
@@ -96,6 +96,7 @@ public:
     const Boundary_loops<Kernel> charted_loops = chart_loops(loops, surface.chart());
     if(!is_of(charted_loops) && (!surface.chart().is_identity() || !put_in_middles(loops, evaluate)))
       make(charted_loops, evaluate);
+    m_number_of_loops = std::size_t(std::find_if(loops.begin(), loops.end(), is_single_point<Kernel>) - loops.begin());
     for(std::size_t l = 0; l < loops.size(); ++l) {
       set_indices(charted_loops[l], m_loops[l].vertices);
       m_loops[l].segments = segments(loops[l], charted_loops[l].size());
@@ -112,11 +113,17 @@ public:
     for(const Loop& loop : m_loops)
       result.vertices.insert(result.vertices.end(), loop.vertices.begin(), loop.vertices.end());
     m_loops.clear();
+    m_number_of_loops = 0;
     return result;
   }
 
   const Triangulation& triangulation() const { return *m_triangulation; }
-  const std::vector<Loop>& loops() const { return m_loops; }
+
+  // Single points inside the face have no segments and are none of them: they are vertices of the triangulation only.
+  boost::iterator_range<typename std::vector<Loop>::const_iterator> loops() const
+  {
+    return {m_loops.begin(), m_loops.begin() + std::ptrdiff_t(m_number_of_loops)};
+  }
 
   // The distance in space.
   static double length(Vertex_handle v, Vertex_handle w)
