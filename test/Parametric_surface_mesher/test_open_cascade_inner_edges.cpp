@@ -123,6 +123,18 @@ TEST(Inner_edges_of_shape, are_followed)
   EXPECT_GT(placed.report.smallest_angle, 25);
 }
 
+// A short edge inside a circle, as close to it as the 32nd part of the circle is to its chord.
+TEST(Inner_edges_of_shape, beside_a_curve)
+{
+  const double angle = std::acos(-1.) / 32, c = std::cos(angle), s = std::sin(angle);
+  const TopoDS_Shape ring = circle(gp_Pnt(2, 2, 0), gp_Dir(0, 0, 1), 1),
+                     line = segment(gp_Pnt(2 + 0.998 * c + 0.01 * s, 2 + 0.998 * s - 0.01 * c, 0), gp_Pnt(2 + 0.998 * c - 0.01 * s, 2 + 0.998 * s + 0.01 * c, 0));
+  const Placed_shape placed(square_with({ring, line}));
+  for(const auto& edge : placed.shape.inner_edges)
+    EXPECT_EQ(edge.reason, "");
+  EXPECT_NEAR(placed.length_on(line), 0.02, 1e-6);
+}
+
 // The face is meshed as if they were not there, and they are named.
 TEST(Inner_edges_of_shape, that_do_not_fit_are_named)
 {

@@ -26,8 +26,8 @@ namespace Parametric_surface_mesher {
 namespace internal {
 
 // Adds to a face what lies inside it: only what meets other edges in common vertices, and is inside the loops. Files have all kinds of
-// edges marked as internal; one that does not fit would make the face impossible to mesh. Curves are compared as polylines, which the
-// division refines where they come close to each other.
+// edges marked as internal; one that does not fit would make the face impossible to mesh. Curves are compared as polylines, and once more
+// as finer ones where those meet.
 class Face_interior
 {
   typedef Parametric_surface_model_3<Open_cascade_surface_3> Model;
@@ -37,38 +37,33 @@ class Face_interior
   typedef Boundary_vertex<Kernel> Vertex;
   typedef std::vector<Vertex> Polyline;
 
-  static const int number_of_pieces_of_curve = 32;
+  static const int number_of_pieces = 32, number_of_fine_pieces = 512; // of a curve
 
-  Model& m_model;
+  const Model& m_model;
   Model::Face& m_face;
+  int m_number_of_pieces;
   std::size_t m_number_of_loops; // around the domain
   std::size_t m_next_index;      // of points inside curves
   Boundary_loops<Kernel> m_polylines; // of all loops; those inside run back, too
 
 public:
-  Face_interior(Model& model, Model::Face& face)
-    : m_model(model), m_face(face), m_number_of_loops(face.loops.size()), m_next_index(model.vertices().size())
-  {
-    for(const auto& loop : face.loops) {
-      m_polylines.emplace_back();
-      for(const Edge_use& use : loop)
-        append(use, m_polylines.back());
-    }
-  }
+  // \pre there is nothing inside the face yet
+  Face_interior(const Model& model, Model::Face& face) : Face_interior(model, face, number_of_pieces, face.loops.size()) {}
 
   // \throws Parametric_surface_mesh_error if the edge does not fit into the face
   void add(const Edge_use& use)
   {
-    const Edge_use back{use.edge, !use.is_reversed, use.curve};
-    Polyline polyline;
-    append(use, polyline);
-    const std::size_t n = polyline.size();
-    polyline.push_back({end_point(use), CGAL::ORIGIN, end_vertex(use)});
-    for(std::size_t i = n; i-- > 1;)
-      polyline.push_back(polyline[i]);
-    check(polyline, polyline[n / 2].domain_point);
+    Polyline polyline = there_and_back(use);
+    try {
+      check(polyline, polyline[polyline.size() / 4].domain_point);
+    }
+    catch(const Parametric_surface_mesh_error&) {
+      Face_interior fine(m_model, m_face, number_of_fine_pieces, m_number_of_loops);
+      const Polyline fine_polyline = fine.there_and_back(use);
+      fine.check(fine_polyline, fine_polyline[fine_polyline.size() / 4].domain_point);
+    }
     m_polylines.push_back(std::move(polyline));
-    m_face.loops.push_back({use, back});
+    m_face.loops.push_back({use, {use.edge, !use.is_reversed, use.curve}});
   }
 
   // \throws Parametric_surface_mesh_error if the point is not inside the face, or on an edge
@@ -85,6 +80,34 @@ public:
   }
 
 private:
+  // `number_of_loops`: around the domain; the others lie inside
+  Face_interior(const Model& model, Model::Face& face, int number_of_pieces, std::size_t number_of_loops)
+    : m_model(model), m_face(face), m_number_of_pieces(number_of_pieces), m_number_of_loops(number_of_loops),
+      m_next_index(model.vertices().size())
+  {
+    for(std::size_t l = 0; l < face.loops.size(); ++l) {
+      m_polylines.emplace_back();
+      if(l < number_of_loops)
+        for(const Edge_use& use : face.loops[l])
+          append(use, m_polylines.back());
+      else
+        m_polylines.back() = there_and_back(face.loops[l].front());
+    }
+    for(const auto& point : face.inner_points)
+      m_polylines.push_back(Polyline(2, {point.parameters, CGAL::ORIGIN, point.vertex}));
+  }
+
+  Polyline there_and_back(const Edge_use& use)
+  {
+    Polyline result;
+    append(use, result);
+    const std::size_t n = result.size();
+    result.push_back({end_point(use), CGAL::ORIGIN, end_vertex(use)});
+    for(std::size_t i = n; i-- > 1;)
+      result.push_back(result[i]);
+    return result;
+  }
+
   static Point_2 end_point(const Edge_use& use) { return use.is_reversed ? use.curve.source() : use.curve.target(); }
 
   std::size_t begin_vertex(const Edge_use& use) const
@@ -100,7 +123,7 @@ private:
   // Appends the points of a curve but for the last one.
   void append(const Edge_use& use, Polyline& polyline)
   {
-    const int n = use.curve.is_straight() ? 2 : number_of_pieces_of_curve;
+    const int n = use.curve.is_straight() ? 2 : m_number_of_pieces;
     for(int i = 0; i < n; ++i) {
       const double share = use.is_reversed ? 1 - double(i) / n : double(i) / n;
       polyline.push_back({use.curve.point(use.curve.begin() + share * (use.curve.end() - use.curve.begin())), CGAL::ORIGIN,
