@@ -27,7 +27,7 @@ function onScale(colors, share) {
 function css(color) { return "rgb(" + color.join(",") + ")"; }
 
 // Files have the purest red and green, at which shading and lines are hard to see.
-function bytesFrom(color) { return color.map(c => Math.round(255 * (0.12 + 0.78 * c))); }
+function bytesFrom(color) { return color.map(c => Math.round(255 * (0.2 + 0.7 * c))); }
 
 // What a scale covers: given ends, or what is there; in equal steps of the logarithm if it is over a wide range.
 function scaleOf(scalar) {

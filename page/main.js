@@ -132,6 +132,7 @@ class Page {
     const face = this.mesh.triangleFaces[triangle];
     this.selected = triangle;
     this.view.select(face);
+    this.view.mark(null);
     this.panel.showSelection(triangle, point);
     this.showDomain(face);
     this.hover(triangle, null);
@@ -141,6 +142,7 @@ class Page {
   clearSelection() {
     this.selected = -1;
     this.view.select(-1);
+    this.view.mark(null);
     this.byId("domain-card").hidden = true;
     this.hover(-1, null);
   }
@@ -212,7 +214,10 @@ class Page {
       this.select(triangle, null);
       this.view.flyTo(middleOf(this.mesh, triangle), normal, Math.max(1.5 * size, 1e-4 * this.mesh.diagonal));
     } else if (index < finding.places.length) {
-      this.view.flyTo(new THREE.Vector3(...finding.places[index]), null, 0.02 * this.mesh.diagonal);
+      const place = new THREE.Vector3(...finding.places[index]);
+      this.clearSelection();
+      this.view.mark(place);
+      this.view.flyTo(place, null, 0.02 * this.mesh.diagonal);
     }
   }
 

@@ -134,6 +134,20 @@ class SurfaceView {
     this.showLines(v => isHidden[v] === 0);
   }
 
+  // Shows a place where there may be no triangle, or none if it is null.
+  mark(place) {
+    if (!this.marker) {
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(3), 3));
+      this.marker = new THREE.Points(geometry, new THREE.PointsMaterial({ color: MARK, size: 11, sizeAttenuation: false, depthTest: false, transparent: true }));
+      this.marker.renderOrder = 4;
+      this.scene.add(this.marker);
+    }
+    this.marker.visible = place !== null;
+    if (place) this.marker.position.copy(place);
+    this.isStale = true;
+  }
+
   // `contrast`: of light and shadow, from 0 to 1
   setColors(colors, contrast) {
     this.material.uniforms.contrast.value = contrast;
