@@ -283,7 +283,7 @@ TEST_F(Element_files, med)
 TEST_F(Element_files, three_mf)
 {
   Element_mesh cubes = Cubes(2, false).mesh;
-  cubes.surfaces[3].color = Element_mesh::Color{0, 0, 1, 1};
+  cubes.surfaces[3].color = Element_mesh::Color{0, 0, 1, 0.2};
   cubes.triangles.pop_back(); // the second one is open
   cubes.triangle_surfaces.pop_back();
   cubes.triangle_data.clear();
@@ -292,7 +292,7 @@ TEST_F(Element_files, three_mf)
                                         "import xml.etree.ElementTree as tree\n"
                                         "ns = '{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}'\n"
                                         "model = tree.fromstring(zipfile.ZipFile('mesh.3mf').read('3D/3dmodel.model'))\n"
-                                        "colors = [m.get('displaycolor')[:7].lower() for m in model.iter(ns + 'base')]\n"
+                                        "colors = [m.get('displaycolor').lower() for m in model.iter(ns + 'base')]\n"
                                         "objects = [{'name': o.get('name'), 'type': o.get('type'), 'points': len(list(o.iter(ns + 'vertex'))),\n"
                                         "  'largest': max(float(v.get('x')) for v in o.iter(ns + 'vertex')), 'triangles': len(list(o.iter(ns + 'triangle'))),\n"
                                         "  'colors': sorted(set(colors[int(t.get('p1') or o.get('pindex'))] for t in o.iter(ns + 'triangle')))} for o in model.iter(ns + 'object')]\n"
@@ -310,10 +310,10 @@ TEST_F(Element_files, three_mf)
   EXPECT_EQ(first["points"], 8);
   EXPECT_EQ(first["triangles"], 12);
   EXPECT_EQ(first["largest"], 10);
-  EXPECT_EQ(first["colors"], (std::vector<std::string>{"#0000ff", "#ff0000"}));
+  EXPECT_EQ(first["colors"], (std::vector<std::string>{"#0000ff33", "#ff0000ff"}));
   EXPECT_EQ(second["type"], "surface");
   EXPECT_EQ(second["triangles"], 11);
-  EXPECT_EQ(second["colors"], std::vector<std::string>{"#ff0000"});
+  EXPECT_EQ(second["colors"], std::vector<std::string>{"#ff0000ff"});
   EXPECT_THROW(CGAL::IO::write_3MF("/nowhere/mesh.3mf", cubes), CGAL::Parametric_surface_mesh_error);
 }
 #endif

@@ -49,7 +49,7 @@ class Three_mf_writer
     }
   };
 
-  typedef std::array<BYTE, 3> Color;
+  typedef std::array<BYTE, 4> Color; // with the opacity
 
   std::string m_file_name;
   const Element_mesh_3& m_mesh;
@@ -162,7 +162,7 @@ private:
   {
     const Element_mesh_3::Color gray{0.75, 0.75, 0.75, 1}, color = given.value_or(gray);
     const auto byte = [](double value) { return BYTE((std::min)((std::max)(255 * value + 0.5, 0.), 255.)); };
-    const Color bytes{{byte(color.red), byte(color.green), byte(color.blue)}};
+    const Color bytes{{byte(color.red), byte(color.green), byte(color.blue), byte(color.opacity)}};
     const auto found = m_indices.find(bytes);
     if(found != m_indices.end())
       return found->second;
@@ -170,6 +170,8 @@ private:
     std::snprintf(name, sizeof(name), "#%02x%02x%02x", bytes[0], bytes[1], bytes[2]);
     DWORD index = 0;
     check(NMR::lib3mf_basematerial_addmaterialutf8(m_materials.object, name, bytes[0], bytes[1], bytes[2], &index));
+    // without this it is transparent
+    check(NMR::lib3mf_basematerial_setdisplaycolorrgba(m_materials.object, index, bytes[0], bytes[1], bytes[2], bytes[3]));
     return m_indices[bytes] = index;
   }
 };
