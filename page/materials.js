@@ -52,7 +52,7 @@ void main() {
   float line = 1.0 - min(min(near.x, near.y), near.z);
   // Where triangles are hardly larger than pixels, lines would be all that is seen.
   float fading = 1.0 - smoothstep(fadingSteps.x, fadingSteps.y, max(max(step.x, step.y), step.z));
-  vec3 pen = dot(vColor, vec3(0.333)) < 0.3 ? color + 0.3 : edgeColor; // light on what is nearly black
+  vec3 pen = dot(vColor, vec3(0.333)) < 0.4 ? color + 0.3 : edgeColor; // light on what is nearly black
   color = mix(color, pen, line * fading * (edgeWidth > 0.0 ? 0.55 : 0.0));
   gl_FragColor = vec4(color, 1.0);
 }`;
