@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import io
+import numbers
 import os
 import tempfile
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
@@ -14,7 +15,7 @@ from ._mesh import Mesh
 from ._watching import Progress, Size, run, size_for_core
 
 # Those that the program takes several times.
-_REPEATED = ("parts", "sphere-size", "local-size")
+_REPEATED = ("parts", "sphere-size", "local-size", "point")
 # Those of the program that have no meaning here.
 _NOT_HERE = ("out", "picture", "json", "quiet", "help", "list", "binary", "node-parameters", "page", "version")
 
@@ -62,7 +63,8 @@ _DOCUMENTATION = """Meshes a CAD file, or a shape of CadQuery, build123d, FreeCA
         Seconds after which meshing stops. A mesh that was stopped is valid; ``mesh.report["stopped"]`` tells.
 
     The other arguments are the options of the program ``mesh_cad``, with underscores. Lists and dicts stand for the lists of the
-    program: ``faces=[1, 4, 7]``, ``face_size={{3: 0.5}}``, ``parts=["bolt", 2]``, ``local_size=["point:0,0,5:0.1"]``.
+    program: ``faces=[1, 4, 7]``, ``face_size={{3: 0.5}}``, ``parts=["bolt", 2]``, ``local_size=["point:0,0,5:0.1"]``,
+    ``point=[(0, 0, 5)]``.
 
 {options}
 
@@ -98,11 +100,18 @@ def _words(arguments: Mapping[str, Any]) -> List[str]:
             raise TypeError(f"mesh_cad() has no argument '{name}'; help(mesh_cad) lists them")
         if value is True:
             result.append(f"--{option}")
-        elif option in _REPEATED and not isinstance(value, (str, int)):
-            result += [f"--{option}={item}" for item in value]
+        elif option in _REPEATED:
+            result += [f"--{option}={_text(item)}" for item in _items(value)]
         else:
             result.append(f"--{option}={_text(value)}")
     return result
+
+
+def _items(value: Any) -> List[Any]:
+    """Those of a list; a text, a number and the coordinates of a point are one item."""
+    if isinstance(value, str) or not isinstance(value, Iterable) or all(isinstance(item, numbers.Number) for item in value):
+        return [value]
+    return list(value)
 
 
 def _text(value: Any) -> str:

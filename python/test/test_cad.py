@@ -112,6 +112,9 @@ class Cad_file(unittest.TestCase):
         some = psm.mesh_cad(LINKRODS, fineness="coarse", faces=[1, 4], face_size={4: 0.003}, unit="CM", threads=2, self_intersections="ignore")
         self.assertEqual(set(some.face_ids), {1, 4})
         self.assertGreater(len(some.triangles_of(4)), 2 * len(self.mesh.triangles_of(4)))
+        place = self.mesh.points[self.mesh.triangles[0]].mean(axis=0)
+        with_points = psm.mesh_cad(LINKRODS, fineness="coarse", faces="1", parts=[1], point=[place, tuple(place + 0.01)], local_size="face:1:0.05")
+        self.assertEqual([name for name in with_points.groups if name.startswith("point_")], ["point_1", "point_2"])
         curved = psm.mesh_cad(LINKRODS, fineness="coarse", order=2)
         self.assertEqual(curved.report["order"], 2)
 
