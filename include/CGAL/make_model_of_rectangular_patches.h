@@ -58,7 +58,7 @@ class Patch_matcher
   typedef typename Model::Edge_use Edge_use;
   typedef typename Model::Curve Curve;
 
-  static const int number_of_samples = 9;
+  static constexpr int number_of_samples = 9;
   typedef std::array<Point_3, number_of_samples> Samples;
 
   // A side of a patch, directed counterclockwise in its domain.

@@ -113,7 +113,7 @@ class Curve_heights
   typedef typename Curve::Geom_traits Kernel;
   typedef typename Kernel::Point_3 Point_3;
 
-  static const int number_of_places = 32;
+  static constexpr int number_of_places = 32;
 
   const Curve& m_curve;
   const double m_from, m_to; // parameters

@@ -44,7 +44,7 @@ class Model_validation
   typedef typename Model::Point_3 Point_3;
   typedef Model_uses<Model> Uses;
 
-  static const int number_of_samples = 9;
+  static constexpr int number_of_samples = 9;
 
   const Model& m_model;
   bool m_is_any_face_left_out;

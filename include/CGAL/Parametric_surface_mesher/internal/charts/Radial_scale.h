@@ -26,7 +26,7 @@ Cubic between the entries, so its first derivative is continuous.
 class Radial_scale
 {
   static constexpr double step = 0.1; // of a, between entries of the table
-  static const std::size_t max_number_of_entries = 240;
+  static constexpr std::size_t max_number_of_entries = 240;
 
   double m_begin = 0;
   std::vector<double> m_values, m_slopes;

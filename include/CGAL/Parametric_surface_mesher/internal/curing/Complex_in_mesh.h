@@ -49,7 +49,7 @@ class Complex_in_mesh
   std::vector<std::vector<Index>> m_added;         // by part: triangles of the complex
 
 public:
-  static const Index none = Index(-1);
+  static constexpr Index none = Index(-1);
 
   std::vector<Index> new_faces;   // by old face, numbered over all parts: the new one, or none if it was changed
   std::vector<Index> added_faces; // by triangle of the complex: the new face, or none

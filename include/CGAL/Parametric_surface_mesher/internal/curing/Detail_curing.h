@@ -48,7 +48,7 @@ public:
 
 private:
   // Each change makes the angles around it better, which ends. This keeps a pathological case from taking all the time.
-  static const std::size_t max_number_of_changes_per_triangle = 20;
+  static constexpr std::size_t max_number_of_changes_per_triangle = 20;
 
   Complex& m_complex;
   Judge m_judge;

@@ -42,7 +42,7 @@ class Mesh_curing
   typedef std::size_t Index;
 
   // What is left after a round may be farther off the triangles that it began with; more rounds than two are rare.
-  static const int max_number_of_rounds = 4;
+  static constexpr int max_number_of_rounds = 4;
 
   Mesh& m_mesh;
   const Parametric_surface_mesh_criteria& m_criteria;

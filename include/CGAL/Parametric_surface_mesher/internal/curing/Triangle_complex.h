@@ -32,7 +32,7 @@ public:
   typedef typename Kernel::Point_3 Point_3;
   typedef std::size_t Index;
 
-  static const Index none = Index(-1);
+  static constexpr Index none = Index(-1);
 
   struct Vertex
   {

@@ -46,7 +46,7 @@ class Arc_length
   // Relative error of the speed: lengths then are exact to about 1e-9, far below what a division of curves needs.
   static constexpr double tolerance = 1e-9;
   static constexpr double rounding = 1e-13; // relative, of lengths and speeds
-  static const int max_depth = 10;
+  static constexpr int max_depth = 10;
 
   Speed m_speed;
   std::vector<Interval> m_intervals;

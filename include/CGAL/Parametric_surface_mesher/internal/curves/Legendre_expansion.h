@@ -22,7 +22,7 @@ namespace internal {
 // A function on [-1,1] as a sum of Legendre polynomials, found by projection with Gauss quadrature, and its integral.
 class Legendre_expansion
 {
-  static const int number_of_nodes = 15;
+  static constexpr int number_of_nodes = 15;
   typedef Eigen::Matrix<double, number_of_nodes, 1> Values;
 
   Values m_coefficients;

@@ -63,7 +63,7 @@ class Closeness_refinement
     Measured_piece piece;
   };
 
-  static const int max_number_of_rounds = 16;
+  static constexpr int max_number_of_rounds = 16;
   // The largest ratio of the lengths of neighbours on a loop.
   static constexpr double max_ratio = 2.5;
   // Of two pieces opposite to each other the longer one may exceed the shorter by this share of the distance between them.

@@ -33,7 +33,7 @@ class Misplaced_holes
   typedef std::vector<Point_2> Polygon;
 
   // The curve of a piece is judged by the polygon of so many points more. A hole even closer to the curve is refused.
-  static const int number_of_samples = 16;
+  static constexpr int number_of_samples = 16;
 
   const Division& m_division;
   const std::size_t m_face;

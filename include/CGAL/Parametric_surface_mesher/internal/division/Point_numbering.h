@@ -20,7 +20,7 @@ namespace internal {
 // are consecutive along an edge.
 class Point_numbering
 {
-  static const std::size_t none = std::size_t(-1);
+  static constexpr std::size_t none = std::size_t(-1);
 
   std::vector<std::size_t> m_vertices;           // by vertex of the model
   std::vector<std::size_t> m_first_inner_points; // by edge

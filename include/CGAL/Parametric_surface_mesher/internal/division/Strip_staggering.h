@@ -55,7 +55,7 @@ private:
     double smallest = 1, product = 1; // among the squared sines of the smallest angles of the triangles
   };
 
-  static const int max_number_of_sweeps = 40;
+  static constexpr int max_number_of_sweeps = 40;
   // A move must improve the product of qualities by this factor, so that moves come to an end.
   static constexpr double least_improvement = 1.005;
   // The moves that are tried, as shares of the way to a neighbour on the edge.

@@ -61,9 +61,9 @@ class Patch_repair
   static constexpr double share_of_few = 0.1; // of the faces
 
   // Enough for all faces but where nearly all are poor.
-  static const std::size_t default_max_number_of_attempts = 1000, faces_for_attempt = 20;
+  static constexpr std::size_t default_max_number_of_attempts = 1000, faces_for_attempt = 20;
   // After these, a quarter as many at faces that fail a criterion: most of the others are left for the sake of the boundary.
-  static const std::size_t share_at_failures = 4;
+  static constexpr std::size_t share_at_failures = 4;
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;

@@ -44,7 +44,7 @@ class Creases_of_face
   // In radians, some 11 degrees: an edge across a smaller kink has a deviation ratio, a fourth of this, within the default bound.
   // (Curves that are joined smoothly, like the arcs of a circle, have knots with which they might have a kink, too.)
   static constexpr double smallest_turn = 0.2;
-  static const int number_of_samples = 16; // along each line
+  static constexpr int number_of_samples = 16; // along each line
   static constexpr double step = 1e-6;     // to either side, over the extent of the face in the domain
 
   GeomAdaptor_Surface m_surface;
@@ -134,10 +134,10 @@ private:
 class Crease_division
 {
   // A face with more creases, like a terrain of flat tiles, is left as it is.
-  static const std::size_t max_number_of_creases = 64;
+  static constexpr std::size_t max_number_of_creases = 64;
 
 public:
-  static const std::size_t no_index = std::size_t(-1);
+  static constexpr std::size_t no_index = std::size_t(-1);
 
 private:
   TopoDS_Shape m_shape;

@@ -50,7 +50,7 @@ class Edge_match
   typedef Measured_space_curve<Kernel> Measured_curve;
   typedef Domain_curve_2<Kernel> Curve;
 
-  static const int number_of_samples = 64; // of the distance
+  static constexpr int number_of_samples = 64; // of the distance
   static constexpr double tolerance_of_linearity = 1e-10; // in parameters, which run from 0 to 1
 
   std::shared_ptr<const Measured_curve> m_first, m_second;

@@ -54,7 +54,7 @@ class Face_builder
   typedef Model::Curve Curve;
 
   // An edge and a curve in the domain are compared at 17 points.
-  static const int number_of_samples = 16;
+  static constexpr int number_of_samples = 16;
   // As shares of the diagonal of the shape. A curve that is farther from its edge than the first is projected anew if that
   // helps; farther than the second, its face is refused.
   static constexpr double distrusted_gap = 1e-4, refused_gap = 1e-2;

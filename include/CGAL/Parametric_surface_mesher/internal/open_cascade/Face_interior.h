@@ -37,7 +37,7 @@ class Face_interior
   typedef Boundary_vertex<Kernel> Vertex;
   typedef std::vector<Vertex> Polyline;
 
-  static const int number_of_pieces = 32, number_of_fine_pieces = 512; // of a curve
+  static constexpr int number_of_pieces = 32, number_of_fine_pieces = 512; // of a curve
 
   const Model& m_model;
   Model::Face& m_face;

@@ -76,10 +76,10 @@ private:
   // Nor is a projection of a place of the curve that is so many times closer to another face. A little more than 1 is needed, since
   // the place of the curve that is closest to a projected point is not always that of which it is the projection.
   static constexpr double largest_ratio = 2;
-  static const int number_of_samples = 8; // of a projected curve
+  static constexpr int number_of_samples = 8; // of a projected curve
   // The largest distance of a projected curve from a face, over the reach; more segments than this are not asked for.
   static constexpr double precision_of_projection = 1e-4;
-  static const int largest_degree = 14, max_number_of_segments = 200;
+  static constexpr int largest_degree = 14, max_number_of_segments = 200;
 
   TopoDS_Shape m_shape;
   const double m_reach;

@@ -60,7 +60,7 @@ class Loop_closer
   // Ends of curves that are farther apart than this share of the widest gap meet at the vertex, and not where one of them ends. It is a
   // hundredth of the minimum edge that mesh_cad takes by default, so that no piece is much changed by less.
   static constexpr double share_of_wide_gap = 0.1;
-  static const int number_of_samples = 8, number_of_newton_steps = 4;
+  static constexpr int number_of_samples = 8, number_of_newton_steps = 4;
 
   Model& m_model;
   const Open_cascade_surface_3& m_surface;

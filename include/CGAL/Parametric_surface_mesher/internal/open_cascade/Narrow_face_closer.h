@@ -41,7 +41,7 @@ class Narrow_face_closer
   typedef Model::Point_3 Point_3;
   typedef std::vector<std::size_t> Wire; // the edges of a loop of a face; a seam occurs twice
 
-  static const int number_of_samples = 16;
+  static constexpr int number_of_samples = 16;
 
   struct Side_by_side
   {

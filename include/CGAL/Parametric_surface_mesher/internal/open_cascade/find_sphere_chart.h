@@ -41,7 +41,7 @@ namespace internal {
 class Sphere_chart_finder
 {
   // 200 points on a sphere are about 0.25 radians apart.
-  static const int number_of_candidates = 200, samples_on_edge = 16;
+  static constexpr int number_of_candidates = 200, samples_on_edge = 16;
   // In radians: the point must be so far from the face, as the projection is singular there; and a boundary so close to a pole
   // runs through it.
   static constexpr double least_distance = 0.15, pole_distance = 1e-3;

@@ -39,7 +39,7 @@ class Chord_splitter
   typedef std::pair<Face_handle, int> Edge;
   typedef typename Indexed_mesh<Kernel>::Chords Chords;
 
-  static const int max_number_of_passes = 10;
+  static constexpr int max_number_of_passes = 10;
 
   Triangulation& m_triangulation;
   const Evaluator& m_evaluate;

@@ -57,7 +57,7 @@ struct Is_concurrent_map<Surface_mesh<Point>, Map>
   typedef typename boost::property_traits<Map>::key_type Key;
   typedef typename boost::property_traits<Map>::value_type Value;
   typedef typename Surface_mesh<Point>::template Property_map<Key, Value> Array;
-  static const bool value = std::is_same<Map, Array>::value && !std::is_same<Value, bool>::value;
+  static constexpr bool value = std::is_same<Map, Array>::value && !std::is_same<Value, bool>::value;
 };
 
 // The property maps that the output fills.

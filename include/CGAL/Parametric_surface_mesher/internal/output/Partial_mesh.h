@@ -30,7 +30,7 @@ struct Partial_mesh
 
   // In `faces`, before the part has its place in the mesh: points of cuts, which the parts of its patch share, have indices from
   // the first number on, those of its own from the second on. Smaller indices are those of points of the division.
-  static const Index first_cut_point = Index(1) << 30, first_own_point = Index(1) << 31;
+  static constexpr Index first_cut_point = Index(1) << 30, first_own_point = Index(1) << 31;
 
   std::size_t patch = 0;
   std::vector<Point_3> points;

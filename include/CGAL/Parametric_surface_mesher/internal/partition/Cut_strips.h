@@ -47,7 +47,7 @@ private:
   typedef Strip_triangulation<Kernel> Strip_maker;
 
   // So many rings of triangles on either side of a cut are refined and smoothed anew, which removes its trace from the angles.
-  static const int number_of_rings = 4;
+  static constexpr int number_of_rings = 4;
 
   // A triangle that has left its part.
   struct Taken

@@ -39,14 +39,14 @@ class Patch_parts
   typedef Region_cut<Kernel> Cut;
   typedef std::vector<std::size_t> Chain; // indices of nodes
 
-  static const std::size_t no_strip = std::size_t(-1);
+  static constexpr std::size_t no_strip = std::size_t(-1);
   // The largest part, as a share of the largest patch that is not split: 50 000 triangles fit into the caches of most processors.
   static constexpr double share_of_part = 0.5;
   // The largest part is at least this share of the patch: with more parts, joining them takes longer than caches save.
   static constexpr double least_share_of_patch = 0.02;
   // How far the strip of a meeting point reaches along the cuts, in edges: twice the rings of a strip, so that the strips of its
   // cuts do not meet.
-  static const std::size_t reach_of_meeting_point = 8;
+  static constexpr std::size_t reach_of_meeting_point = 8;
 
   std::size_t m_first_index = 0, m_number_of_strips = 0;
   std::vector<Region> m_regions;

@@ -48,13 +48,13 @@ private:
   typedef typename Kernel::Vector_2 Vector_2;
 
   // Lines are tried every 15 degrees, and the best candidates only are divided, which costs evaluations of the surface.
-  static const int number_of_directions = 12;
-  static const int max_number_of_attempts = 20;
+  static constexpr int number_of_directions = 12;
+  static constexpr int max_number_of_attempts = 20;
   // The triangles to the left of a line, as shares of all, in the order in which they are tried. Parts of a third and two thirds
   // are the most unequal that are worth a cut.
   static constexpr double shares_to_the_left[] = {0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66};
   // Resolution with which the triangles on both sides of a line are balanced.
-  static const int number_of_slices = 512;
+  static constexpr int number_of_slices = 512;
   // Of the angle between a cut and the perpendicular of the boundary: the cut and the boundary enclose at least
   // 50 degrees.
   static constexpr double smallest_cosine = 0.64;

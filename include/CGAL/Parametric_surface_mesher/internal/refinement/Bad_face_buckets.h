@@ -34,7 +34,7 @@ template <class Face_handle>
 struct Bad_face
   : public Stamped_face<Face_handle>
 {
-  static const int number_of_octaves = 32;
+  static constexpr int number_of_octaves = 32;
 
   std::uint8_t octave; // a factor of sqrt(2) in lengths, since badness is a squared ratio
   Urgency urgency;

@@ -36,7 +36,7 @@ class Bad_face_queue
 
   // Faces with a badness of 2^9 and more do not wait by cells. The badness is about the number of triangles that a face is refined
   // to.
-  static const int first_octave_of_coarse = 9;
+  static constexpr int first_octave_of_coarse = 9;
   static constexpr double triangles_in_cell = 32000; // on average; they take 4 MB
 
   Bad_face_buckets<Face_handle> m_at_hand;

@@ -48,7 +48,7 @@ class Front_queue
     std::size_t current = 0;
   };
 
-  static const int highest_octave = 10; // all ratios of radii above 32 wait together
+  static constexpr int highest_octave = 10; // all ratios of radii above 32 wait together
 
   std::array<Octave, highest_octave + 1> m_octaves;
   int m_top = -1; // octaves above it have no entry

@@ -38,7 +38,7 @@ class Frontal_placement
   static constexpr double squared_accepted_error = 0.005 * 0.005;
   static constexpr double share_of_spacing = 0.8;
   static constexpr double smallest_height = 0.3; // of a new triangle, by its side
-  static const int max_number_of_corrections = 2;
+  static constexpr int max_number_of_corrections = 2;
 
   Inner_points& m_points;
 

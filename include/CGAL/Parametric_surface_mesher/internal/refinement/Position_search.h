@@ -45,7 +45,7 @@ class Position_search
   static constexpr double fraction_of_spacing = 0.15;
   // Of a point's place, by the circumradius. What a front has left is at odd places, where small errors do not matter.
   static constexpr double tolerated_error = 0.02, tolerated_error_after_front = 0.2;
-  static const int max_number_of_corrections = 4;
+  static constexpr int max_number_of_corrections = 4;
 
   Inner_points& m_points;
   const Evaluator& m_evaluate;

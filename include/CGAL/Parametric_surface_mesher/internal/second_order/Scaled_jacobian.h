@@ -36,7 +36,7 @@ class Smallest_value
 {
   typedef Eigen::Matrix3d Matrix;
 
-  static const int max_depth = 12; // each division takes three quarters of the difference away
+  static constexpr int max_depth = 12; // each division takes three quarters of the difference away
 
   const double m_accuracy;
   Bounds m_bounds;

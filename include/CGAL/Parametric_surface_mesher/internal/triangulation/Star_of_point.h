@@ -30,7 +30,7 @@ public:
 
 private:
   // Where the metric varies the conflict region need not be a disc. True stars have some ten edges.
-  static const std::size_t default_max_number_of_edges = 200;
+  static constexpr std::size_t default_max_number_of_edges = 200;
 
   const Triangulation& m_triangulation;
   const std::size_t m_max_number_of_edges;

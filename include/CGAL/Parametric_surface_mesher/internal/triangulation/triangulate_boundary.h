@@ -85,7 +85,7 @@ public:
 
 private:
   static constexpr double rounding_of_tensors = 1e-6; // relative; the tensors of a cylinder, all equal, differ by less
-  static const std::size_t max_number_of_flips_by_edge = 20; // in practice there is less than one
+  static constexpr std::size_t max_number_of_flips_by_edge = 20; // in practice there is less than one
 
   Triangulation& m_triangulation;
   const Boundary_loops<Kernel>& m_loops;
