@@ -57,7 +57,8 @@ struct Imprinted_open_cascade_shape
 puts points and curves on the faces of a shape: sensors, welds, lines along which a load acts. Each point is projected onto the closest
 face, and each curve onto the faces that are closest to it, across their edges. Where a curve cuts a face in two these are two faces; else it is an edge, or
 a vertex, inside the face, which the model of the shape has, too, and the mesh follows. Edges of the shape are divided where a curve crosses them. The
-operation is that of `BOPAlgo_Splitter` of Open CASCADE. The given shape is not changed. Numbers of faces and edges may change.
+operation is that of `BOPAlgo_Splitter` of Open CASCADE. What is closer to each other than a thousandth of `reach`, and
+than 2e-5 of the diagonal of the shape's bounding box, is taken to meet. The given shape is not changed. Numbers of faces and edges may change.
 
 \param shape a shape with faces
 \param points the points

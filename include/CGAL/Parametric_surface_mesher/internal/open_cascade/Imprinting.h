@@ -44,7 +44,7 @@
 #include <gp_Pnt.hxx>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <string>
@@ -79,6 +79,9 @@ private:
   static constexpr int number_of_samples = 8; // of a projected curve
   // The largest distance of a projected curve from a face, over the reach; more segments than this are not asked for.
   static constexpr double precision_of_projection = 1e-4;
+  // Over the reach, and at most over the diagonal of the shape: projections of a curve on two faces end so close to each other on the edge
+  // between these that they are taken to meet, and no tiny piece of the edge is left.
+  static constexpr double share_of_reach = 1e-3, share_of_diagonal = 2e-5;
   static constexpr int largest_degree = 14, max_number_of_segments = 200;
 
   TopoDS_Shape m_shape;
@@ -147,6 +150,7 @@ public:
     for(const TopoDS_Shape& tool : m_tools)
       splitter.AddTool(tool);
     splitter.SetNonDestructive(true);
+    splitter.SetFuzzyValue((std::min)(share_of_reach * m_reach, share_of_diagonal * diagonal()));
     splitter.Perform();
     if(splitter.HasErrors()) {
       std::ostringstream errors;
@@ -179,6 +183,13 @@ public:
   }
 
 private:
+  double diagonal() const
+  {
+    Bnd_Box box;
+    BRepBndLib::Add(m_shape, box);
+    return box.IsVoid() || box.IsOpen() ? 0 : std::sqrt(box.SquareExtent());
+  }
+
   // The projection of a curve on one face; null if there is none.
   TopoDS_Shape projection(const TopoDS_Edge& edge, const TopoDS_Face& face) const
   {
