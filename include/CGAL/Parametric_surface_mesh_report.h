@@ -64,6 +64,15 @@ struct Parametric_surface_mesh_report
     bool is_of_surfaces;
   };
 
+  /// two faces of the model, or one twice, of which triangles with a common edge face each other, although the surfaces do not: see
+  /// `Parametric_surface_mesh_criteria::set_self_intersections()`.
+  struct Fold
+  {
+    std::array<std::size_t, 2> faces; ///< their indices in the model, in ascending order
+    std::size_t number_of_pairs;      ///< of triangles
+    std::array<double, 3> place;      ///< a point of one of them
+  };
+
   /// time in seconds that was spent on each phase, by all threads together; if others use the processor, it counts, too.
   struct Seconds
   {
@@ -114,6 +123,7 @@ struct Parametric_surface_mesh_report
   std::vector<Left_out_face> left_out;     ///< faces of the model that could not be meshed, by their indices
   std::vector<Removed_detail> removed_details; ///< by the indices of the faces
   std::vector<Intersection> intersections; ///< by the indices of the faces, if they were looked for
+  std::vector<Fold> folds;                 ///< the same
   Seconds seconds;
 
   /// the number of triangles that fail `criterion`, and maybe others, for `cause`.

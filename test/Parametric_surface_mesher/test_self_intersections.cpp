@@ -8,6 +8,7 @@
 #include <CGAL/make_model_of_rectangular_patches.h>
 #include <CGAL/make_parametric_surface_mesh.h>
 #include <CGAL/make_parametric_surface_triangle_soup.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/Fold_search.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Box_hierarchy.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Intersecting_triangles.h>
 
@@ -161,6 +162,50 @@ TEST(Self_intersections, of_faces_on_each_other_are_found)
   const Report report = mesh(squares(Point_3(0.25, 0.25, 0), Vector_3(1, 0, 0), Vector_3(0, 1, 0)), criteria, m);
   ASSERT_EQ(1u, report.intersections.size());
   EXPECT_TRUE(report.intersections[0].is_of_surfaces);
+}
+
+// Two triangles of a plane, the second of which is turned about their common edge; that is inside a part of the mesh, or between two.
+std::size_t number_of_folds(const Point_3& turned_corner, bool is_between_parts)
+{
+  typedef CGAL::Parametric_surface_model_3<CGAL::Rectangular_patch_3<Plane>> Model;
+  namespace internal = CGAL::Parametric_surface_mesher::internal;
+  Model model = squares(Point_3(0, 0, 9), Vector_3(1, 0, 0), Vector_3(0, 1, 0));
+  internal::Indexed_mesh<Test_kernel> mesh;
+  mesh.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), turned_corner};
+  typedef internal::Partial_mesh<Test_kernel> Part;
+  Part first, second;
+  first.faces.push_back({{0, 1, 2}});
+  first.corner_points.push_back({{Point_2(0, 0), Point_2(1, 0), Point_2(1, 1)}});
+  second.faces.push_back({{0, 2, 3}});
+  second.corner_points.push_back({{Point_2(0, 0), Point_2(1, 1), Point_2(0, 1)}});
+  if(is_between_parts) {
+    for(Part* part : {&first, &second}) {
+      part->halfedges.push_back({{0, 0, 0}});
+      part->border = {0, 1, 2};
+      mesh.append(*part);
+    }
+  }
+  else {
+    first.faces.push_back(second.faces[0]);
+    first.corner_points.push_back(second.corner_points[0]);
+    first.halfedges.push_back({{0, 0, 0}});
+    first.halfedges.push_back({{1, 0, 0}});
+    first.border = {0, 1, 4, 5};
+    first.number_of_edges = 1;
+    mesh.append(first);
+  }
+  const auto folds = internal::Fold_search<Model>(model, mesh)({{}, {}});
+  return folds.empty() ? 0 : folds[0].number_of_pairs;
+}
+
+TEST(Fold_search, finds_neighbours_that_face_each_other)
+{
+  for(const bool is_between_parts : {false, true}) {
+    EXPECT_EQ(0u, number_of_folds(Point_3(0, 1, 0), is_between_parts));
+    EXPECT_EQ(0u, number_of_folds(Point_3(0.5, 0.5, 1), is_between_parts)); // a right angle
+    EXPECT_EQ(1u, number_of_folds(Point_3(0.9, 0.1, 0), is_between_parts));
+    EXPECT_EQ(1u, number_of_folds(Point_3(0.9, 0.1, 0.1), is_between_parts));
+  }
 }
 
 TEST(Intersecting_triangles, know_shared_corners)

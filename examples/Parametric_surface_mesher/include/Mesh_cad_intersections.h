@@ -26,20 +26,38 @@ inline bool intersects_itself(const Mesh_cad_result& result)
 }
 
 // Of the two faces, from 1.
-inline std::array<std::size_t, 2> numbers_of_faces(const Mesh_cad_result& result,
-                                                   const CGAL::Parametric_surface_mesh_report::Intersection& intersection)
+inline std::array<std::size_t, 2> numbers_of_faces(const Mesh_cad_result& result, const std::array<std::size_t, 2>& faces)
 {
-  return {result.shape.shape_faces[intersection.faces[0]] + 1, result.shape.shape_faces[intersection.faces[1]] + 1};
+  return {result.shape.shape_faces[faces[0]] + 1, result.shape.shape_faces[faces[1]] + 1};
 }
 
 inline nlohmann::ordered_json json_of_intersections(const Mesh_cad_result& result)
 {
   nlohmann::ordered_json intersections = nlohmann::ordered_json::array();
   for(const auto& intersection : result.report.intersections)
-    intersections.push_back({{"faces", numbers_of_faces(result, intersection)},
+    intersections.push_back({{"faces", numbers_of_faces(result, intersection.faces)},
                              {"triangle_pairs", intersection.number_of_pairs}, {"place", intersection.place},
                              {"of_shape", intersection.is_of_surfaces}});
   return intersections;
+}
+
+inline nlohmann::ordered_json json_of_folds(const Mesh_cad_result& result)
+{
+  nlohmann::ordered_json folds = nlohmann::ordered_json::array();
+  for(const auto& fold : result.report.folds)
+    folds.push_back({{"faces", numbers_of_faces(result, fold.faces)}, {"triangle_pairs", fold.number_of_pairs}, {"place", fold.place}});
+  return folds;
+}
+
+// `where`: an intersection or a fold
+template <class Where>
+void print_where(std::ostream& out, const Mesh_cad_result& result, const Where& where)
+{
+  const auto faces = numbers_of_faces(result, where.faces);
+  out << (faces[0] == faces[1] ? "face " + std::to_string(faces[0])
+                               : "faces " + std::to_string(faces[0]) + " and " + std::to_string(faces[1]))
+      << " at (" << where.place[0] << ", " << where.place[1] << ", " << where.place[2] << "), "
+      << mesh_patch::plural(where.number_of_pairs, "pair") << " of triangles\n";
 }
 
 inline void print_intersections(std::ostream& out, const Mesh_cad_result& result)
@@ -49,15 +67,15 @@ inline void print_intersections(std::ostream& out, const Mesh_cad_result& result
   for(const auto& intersection : result.report.intersections) {
     if(++number > max_number_of_lines)
       continue;
-    const auto faces = numbers_of_faces(result, intersection);
-    out << (intersection.is_of_surfaces ? "  the shape intersects itself: " : "  THE MESH INTERSECTS ITSELF: ")
-        << (faces[0] == faces[1] ? "face " + std::to_string(faces[0])
-                                 : "faces " + std::to_string(faces[0]) + " and " + std::to_string(faces[1]))
-        << " at (" << intersection.place[0] << ", " << intersection.place[1] << ", " << intersection.place[2] << "), "
-        << mesh_patch::plural(intersection.number_of_pairs, "pair") << " of triangles\n";
+    out << (intersection.is_of_surfaces ? "  the shape intersects itself: " : "  THE MESH INTERSECTS ITSELF: ");
+    print_where(out, result, intersection);
   }
   if(number > max_number_of_lines)
     out << "  and in " << mesh_patch::plural(number - max_number_of_lines, "other pair") << " of faces\n";
+  for(const auto& fold : result.report.folds) {
+    out << "  THE MESH IS FOLDED: ";
+    print_where(out, result, fold);
+  }
 }
 
 } // namespace mesh_cad

@@ -90,6 +90,8 @@ const char* const conclusion =
   "  self_intersections             pairs of faces of one solid, or faces, of which triangles pass through\n"
   "                                 each other: the number of pairs of triangles, a place,\n"
   "                                 and whether the shape itself meets itself there\n"
+  "  folds                          the same of neighbouring triangles that face each other though the\n"
+  "                                 shape does not fold\n"
   "  distance                       the largest distance measured from surfaces and edges to the mesh\n"
   "  decided_by                     the shares of triangles whose size is decided by the maximum edge,\n"
   "                                 by gamma, by the distance, or by what is around them\n"

@@ -157,6 +157,7 @@ inline nlohmann::ordered_json json_of_mesh(const Mesh_cad_result& result)
           {"tiny_edges", numbers_from_1(m.tiny_edges)},
           {"sliver_faces", numbers_from_1(faces_of_shape(result, m.sliver_faces))},
           {"self_intersections", json_of_intersections(result)},
+          {"folds", json_of_folds(result)},
           {"distance", m.distance},
           {"distance_over_diagonal", m.distance / result.shape.diagonal},
           {"layers", {{"smallest_length", result.layers.smallest_length}, {"limited", result.layers.is_limited}}},

@@ -109,6 +109,9 @@ void scale_lengths(double factor, Result& result)
   for(auto& intersection : result.report.intersections)
     for(double& coordinate : intersection.place)
       coordinate *= factor;
+  for(auto& fold : result.report.folds)
+    for(double& coordinate : fold.place)
+      coordinate *= factor;
   if(result.criteria.detail())
     result.criteria.set_detail(factor * *result.criteria.detail());
   if(result.criteria.distance())

@@ -10,6 +10,7 @@
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/Fold_search.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Intersection_refinement.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Meshed_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/mesh_model.h>
@@ -41,7 +42,7 @@ std::vector<std::vector<std::size_t>> solids(const Model& model, const Mesh& mes
   return result;
 }
 
-// Looks for intersections in a mesh, as far as the criteria ask for that. Returns whether the model is to be meshed again, with the
+// Looks for intersections, and folds, in a mesh, as far as the criteria ask for that. Returns whether the model is to be meshed again, with the
 // sizes of `refinement`; else what is left is in the report.
 template <class Model, class Mesh>
 bool is_to_be_refined(const Model& model, const Parametric_surface_mesh_criteria& criteria, const Mesh& mesh,
@@ -51,7 +52,8 @@ bool is_to_be_refined(const Model& model, const Parametric_surface_mesh_criteria
     return false;
   Phase_timer timer(report.seconds.intersections);
   const Intersection_search<typename Model::Geom_traits> search(mesh);
-  const auto pairs = search(solids(model, mesh));
+  const auto solids_of_patches = solids(model, mesh);
+  const auto pairs = search(solids_of_patches);
   if(!refinement)
     refinement.emplace(model, criteria, report.min_edge, report.max_edge);
   if(criteria.self_intersections() == Self_intersections::REFINED && refinement->change_sizes(mesh, pairs))
@@ -59,6 +61,7 @@ bool is_to_be_refined(const Model& model, const Parametric_surface_mesh_criteria
   report.intersections = report_of_intersections(search, mesh, pairs, [&](const auto& pair) {
     return refinement->are_surfaces_in_contact(mesh, pair);
   });
+  report.folds = Fold_search<Model>(model, mesh)(solids_of_patches);
   return false;
 }
 
