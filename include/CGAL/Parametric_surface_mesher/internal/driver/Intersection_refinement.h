@@ -60,6 +60,9 @@ private:
   // Edges become shorter by these factors at once, and in so many rounds.
   static constexpr double least_factor = 0.125, largest_factor = 0.7;
   static constexpr int max_number_of_rounds = 10;
+  // The meshes of all rounds together may have so many triangles: a multiple of those of the first one, and a number that any model may
+  // take. (Each round looks at all of its triangles: a model of a million triangles takes two to three seconds for it.)
+  static constexpr double share_of_work = 3, number_of_work = 2.5e6;
   // No edge becomes shorter than this share of the minimum edge.
   static constexpr double share_of_min_edge = 1. / 16;
   // As shares of the longest edge, and of the minimum edge: what is less counts as nothing; surfaces that are closer touch.
@@ -83,6 +86,7 @@ private:
   Sources_of_patches m_sources; // of the finer model
   std::map<std::size_t, Bbox_2> m_boxes; // of patches in their domains
   int m_number_of_rounds = 0;
+  double m_work = 0, m_allowed_work = 0; // in triangles
 
 public:
   // `min_edge`, `max_edge`: those in effect
@@ -110,7 +114,10 @@ public:
     std::map<Patches, std::vector<typename Search::Pair>> pairs_of_patches;
     for(const auto& pair : pairs)
       pairs_of_patches[std::minmax(mesh.parts[pair[0].part].patch, mesh.parts[pair[1].part].patch)].push_back(pair);
-    const bool is_last = ++m_number_of_rounds > max_number_of_rounds;
+    if(m_number_of_rounds == 0)
+      m_allowed_work = number_of_work + share_of_work * double(mesh.number_of_faces());
+    m_work += double(mesh.number_of_faces());
+    const bool is_last = ++m_number_of_rounds > max_number_of_rounds || m_work > m_allowed_work;
     bool is_changed = false;
     for(const auto& of_patches : pairs_of_patches) {
       Attempt& attempt = m_attempts[of_patches.first];
