@@ -80,9 +80,9 @@ public:
   }
 
 private:
-  // `number_of_loops`: around the domain; the others lie inside
-  Face_interior(const Model& model, Model::Face& face, int number_of_pieces, std::size_t number_of_loops)
-    : m_model(model), m_face(face), m_number_of_pieces(number_of_pieces), m_number_of_loops(number_of_loops),
+  // `pieces_of_edge`: how many each edge is divided into. `number_of_loops`: around the domain; the others lie inside
+  Face_interior(const Model& model, Model::Face& face, int pieces_of_edge, std::size_t number_of_loops)
+    : m_model(model), m_face(face), m_number_of_pieces(pieces_of_edge), m_number_of_loops(number_of_loops),
       m_next_index(model.vertices().size())
   {
     for(std::size_t l = 0; l < face.loops.size(); ++l) {
