@@ -101,8 +101,9 @@ void compare(const std::string& name, double size, const Benchmark_settings& set
 const char usage[] =
   "Usage: compare_with_cgal_mesher [SIZE...] [OPTIONS]\n"
   "Meshes the sphere, the torus and the flat square with about SIZE triangles by this package and by CGAL's\n"
-  "make_surface_mesh(), Delaunay_mesher_2 and, if built so, make_mesh_3() and remeshers, and prints speeds and shapes. Times are\n"
-  "processor times, user and system, without that of the finer mesh that remeshers start from. The deviation is the largest distance from the surface, at middles of edges and centroids.\n";
+  "make_surface_mesh(), Delaunay_mesher_2 and, if built so, make_mesh_3() and remeshers, and prints speeds and shapes.\n"
+  "Times are processor times, user and system, without that of the finer mesh that remeshers start from. The deviation is\n"
+  "the largest distance from the surface, at middles of edges and centroids.\n";
 
 } // namespace
 

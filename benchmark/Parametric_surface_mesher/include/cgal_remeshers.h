@@ -1,8 +1,8 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// CGAL's remeshers, which take a mesh of the surface that is finer than the one that is wanted, as those have to do who want to mesh a
-// parametric surface by CGAL alone; and its mesher of solids, with criteria for their boundary alone.
+// CGAL's remeshers, which start from a mesh of the surface that is finer than the one that is wanted: the way from a parametric surface to
+// a mesh by CGAL alone. And its mesher of solids, with criteria for their boundary alone.
 #ifndef CGAL_REMESHERS_H
 #define CGAL_REMESHERS_H
 
@@ -33,7 +33,7 @@ namespace cgal_remeshers {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// The edges of the mesh that is remeshed, as a share of those that are wanted on average: finer ones change the results little.
+// The edge length of the mesh that is remeshed, as a share of the one that is wanted on average. Shorter edges change the results little.
 const double share_of_tessellation = 1. / 3;
 const unsigned int number_of_iterations = 5; // of remeshing; more change little
 // The shortest and the longest edges that curvature may ask for, as shares of the mean.
@@ -57,7 +57,7 @@ inline Mesher_run remesh(const Sample_mesh& fine, double edge_length, Sample_mes
 }
 
 #if CGAL_VERSION_NR >= 1060000000
-// `distance`: what the sizes may deviate from the surface, which decides the number of triangles
+// `distance`: how far from the surface edges of these sizes may be, which decides the number of triangles
 inline Mesher_run remesh_adaptively(const Sample_mesh& fine, double edge_length, double distance, Sample_mesh& mesh)
 {
   mesh = fine;
@@ -81,7 +81,7 @@ inline Mesher_run remesh_by_delaunay(const Sample_mesh& fine, double edge_length
 }
 #endif
 
-// make_mesh_3() on the zero set of a function, with criteria for the surface alone: what takes the place of make_surface_mesh()
+// make_mesh_3() on the zero set of a function, with criteria for the surface alone. In CGAL 6 it takes the place of make_surface_mesh().
 inline Mesher_run mesh_boundary_of_solid(const cgal_meshers::Distance& function, double edge_length, Sample_mesh& mesh)
 {
   typedef CGAL::Labeled_mesh_domain_3<Sample_kernel> Domain;
@@ -99,7 +99,7 @@ inline Mesher_run mesh_boundary_of_solid(const cgal_meshers::Distance& function,
   return run;
 }
 
-// all, for about `size` triangles
+// All meshers that can mesh the sample, for about `size` triangles.
 inline std::vector<Sample_mesher> meshers_of(const Sample& sample, double size)
 {
   const auto fine = std::make_shared<const Sample_mesh>(tessellation(sample, share_of_tessellation * sample.edge_length(size)));
@@ -107,7 +107,7 @@ inline std::vector<Sample_mesher> meshers_of(const Sample& sample, double size)
     {"isotropic_remeshing", [fine](double edge_length, Sample_mesh& mesh) { return remesh(*fine, edge_length, mesh); }}};
 #if CGAL_VERSION_NR >= 1060000000
   result.push_back({"isotropic_remeshing, adaptive", [fine, mean = sample.edge_length(size)](double edge_length, Sample_mesh& mesh) {
-                      // an edge of length L over a unit radius is L^2 / 8 off; the number of triangles goes with its inverse
+                      // An edge of length L is L^2 / 8 off a circle of radius 1.
                       return remesh_adaptively(*fine, mean, edge_length * edge_length / 8, mesh);
                     }});
   result.push_back({"surface_Delaunay_remeshing",
