@@ -9,10 +9,8 @@
 #include <CGAL/make_parametric_surface_triangle_soup.h>
 
 #include <BOPAlgo_Builder.hxx>
-#include <BRep_Builder.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <TopoDS_Compound.hxx>
 #include <gp_Ax2.hxx>
 
 #include <gtest/gtest.h>
@@ -233,12 +231,9 @@ TEST(Contacts, that_do_not_fit_are_refused)
 // Boxes side by side, the second one higher: it has a face of which a part touches.
 TEST(Fusing, divides_faces_that_touch_in_part)
 {
-  BRep_Builder builder;
-  TopoDS_Compound assembly;
-  builder.MakeCompound(assembly);
-  builder.Add(assembly, BRepPrimAPI_MakeBox(10, 10, 10).Shape());
-  builder.Add(assembly, BRepPrimAPI_MakeBox(gp_Pnt(10, 0, 0), 10, 10, 15).Shape());
-  builder.Add(assembly, BRepPrimAPI_MakeBox(gp_Pnt(0, 10.01, 0), 5, 5, 5).Shape());
+  const TopoDS_Shape assembly
+    = compound_of({BRepPrimAPI_MakeBox(10, 10, 10).Shape(), BRepPrimAPI_MakeBox(gp_Pnt(10, 0, 0), 10, 10, 15).Shape(),
+                   BRepPrimAPI_MakeBox(gp_Pnt(0, 10.01, 0), 5, 5, 5).Shape()});
   const auto fused = CGAL::fuse_open_cascade_solids(assembly, 0, 0.1);
   ASSERT_EQ(1u, fused.contacts.size());
   EXPECT_EQ(0u, fused.contacts[0].first);
@@ -262,11 +257,8 @@ TEST(Fusing, divides_faces_that_touch_in_part)
 
 TEST(Fusing, tells_of_overlaps)
 {
-  BRep_Builder builder;
-  TopoDS_Compound assembly;
-  builder.MakeCompound(assembly);
-  builder.Add(assembly, BRepPrimAPI_MakeBox(10, 10, 10).Shape());
-  builder.Add(assembly, BRepPrimAPI_MakeBox(gp_Pnt(9, 0, 0), 10, 10, 10).Shape());
+  const TopoDS_Shape assembly
+    = compound_of({BRepPrimAPI_MakeBox(10, 10, 10).Shape(), BRepPrimAPI_MakeBox(gp_Pnt(9, 0, 0), 10, 10, 10).Shape()});
   const auto fused = CGAL::fuse_open_cascade_solids(assembly);
   ASSERT_EQ(1u, fused.overlaps.size());
   EXPECT_NEAR(100, fused.overlaps[0].volume, 1e-9);

@@ -25,7 +25,6 @@
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
@@ -37,16 +36,6 @@
 #include <vector>
 
 namespace {
-
-TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes)
-{
-  BRep_Builder builder;
-  TopoDS_Compound result;
-  builder.MakeCompound(result);
-  for(const TopoDS_Shape& shape : shapes)
-    builder.Add(result, shape);
-  return result;
-}
 
 TopoDS_Wire polygon(const std::vector<gp_Pnt>& points)
 {

@@ -19,7 +19,6 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
@@ -166,22 +165,12 @@ TEST(Inner_edges_of_shape, a_vertex_on_a_cylinder)
   }
 }
 
-TopoDS_Shape all_of(const std::vector<TopoDS_Shape>& shapes)
-{
-  BRep_Builder builder;
-  TopoDS_Compound result;
-  builder.MakeCompound(result);
-  for(const TopoDS_Shape& shape : shapes)
-    builder.Add(result, shape);
-  return result;
-}
-
 // A point above a face, one beside an edge; a line on a face, one across an edge into the next face; and a circle.
 TEST(Imprint, of_points_and_curves_is_followed)
 {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(4, 4, 4).Shape();
-  const TopoDS_Shape curves = all_of({segment(gp_Pnt(1, 1, 4), gp_Pnt(3, 2, 4)), segment(gp_Pnt(2, 3, 4.05), gp_Pnt(3.5, 3, 4.1)),
-                                      circle(gp_Pnt(2, 2, 0), gp_Dir(0, 0, 1), 1)});
+  const TopoDS_Shape curves = compound_of({segment(gp_Pnt(1, 1, 4), gp_Pnt(3, 2, 4)), segment(gp_Pnt(2, 3, 4.05), gp_Pnt(3.5, 3, 4.1)),
+                                           circle(gp_Pnt(2, 2, 0), gp_Dir(0, 0, 1), 1)});
   const auto imprinted = CGAL::imprint_on_open_cascade_shape(box, {gp_Pnt(1, 3, 4.125), gp_Pnt(4, 0, 1), gp_Pnt(0, 2, 2)}, curves, 0.2);
   EXPECT_NEAR(imprinted.points[0].distance, 0.125, 1e-9);
   EXPECT_EQ(imprinted.points[0].shapes.size(), 1u);
@@ -207,7 +196,7 @@ TEST(Imprint, runs_across_edges_and_seams)
 {
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 3).Shape();
   const auto on_cylinder = CGAL::imprint_on_open_cascade_shape(
-    cylinder, {}, all_of({segment(gp_Pnt(1, -0.5, 1), gp_Pnt(1, 0.5, 2)), segment(gp_Pnt(0, 0.2, 3), gp_Pnt(0, 1.0, 3))}), 0.3);
+    cylinder, {}, compound_of({segment(gp_Pnt(1, -0.5, 1), gp_Pnt(1, 0.5, 2)), segment(gp_Pnt(0, 0.2, 3), gp_Pnt(0, 1.0, 3))}), 0.3);
   const Placed_shape placed(on_cylinder.shape);
   EXPECT_TRUE(CGAL::is_closed(placed.mesh));
   double length = 0;

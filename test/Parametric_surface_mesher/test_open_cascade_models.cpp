@@ -192,12 +192,8 @@ TEST(Open_cascade_models, a_face_between_two_solids_is_in_both_shells)
 
 TEST(Open_cascade_models, free_faces_and_edges)
 {
-  BRep_Builder builder;
-  TopoDS_Compound compound;
-  builder.MakeCompound(compound);
-  builder.Add(compound, BRepBuilderAPI_MakeFace(gp_Pln(), 0., 3., 0., 2.).Shape());
-  builder.Add(compound, BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 5), gp_Pnt(1, 0, 5)).Shape());
-  const Meshed_shape meshed(compound);
+  const Meshed_shape meshed(compound_of({BRepBuilderAPI_MakeFace(gp_Pln(), 0., 3., 0., 2.).Shape(),
+                                         BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 5), gp_Pnt(1, 0, 5)).Shape()}));
   EXPECT_FALSE(meshed.shape.is_shape_closed);
   EXPECT_EQ(meshed.quality.number_of_boundary_cycles, 1u);
   EXPECT_NEAR(meshed.quality.area, 6, 1e-10);

@@ -24,7 +24,6 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Wire.hxx>
@@ -367,11 +366,7 @@ TEST(Narrow_faces, a_needle_does_not_vanish)
 TEST(Narrow_faces, a_needle_does_not_matter_for_others)
 {
   const TopoDS_Shape needle = BRepPrimAPI_MakeBox(gp_Pnt(0, -5, 0), 10, 1e-6, 1e-6).Shape();
-  BRep_Builder builder;
-  TopoDS_Compound shape;
-  builder.MakeCompound(shape);
-  builder.Add(shape, needle);
-  builder.Add(shape, bar(1e-5));
+  const TopoDS_Shape shape = compound_of({needle, bar(1e-5)});
   const Meshed_shape meshed(shape);
   EXPECT_EQ(meshed.shape.closed_up.size(), 1u);
   expect_sound(shape, meshed, 0);

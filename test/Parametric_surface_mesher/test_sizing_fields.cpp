@@ -277,6 +277,12 @@ TEST_F(Node_value_files, of_gmsh)
   expect_refused(write("old.msh", "$MeshFormat\n4.0 0 8\n$EndMeshFormat\n"), "its version is 4.0");
   expect_refused(write("binary.msh", "$MeshFormat\n4.1 1 8\n"), "binary");
   expect_refused(write("hexahedron.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Elements\n1\n1 5 0 1 2 3 4 5 6 7 8\n"), "elements of type 5");
+  for(const char* count : {"-1", "4000000000000000000"}) { // of tags, lines and components
+    const std::string number = count;
+    expect_refused(write("tags.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Elements\n1\n1 2 " + number + " 1 2 3\n"), "ends too early");
+    expect_refused(write("lines.msh", msh_2 + ("$NodeData\n" + number + "\n\"size\"\n")), "ends too early");
+    expect_refused(write("components.msh", msh_2 + ("$NodeData\n1\n\"size\"\n0\n3\n0\n" + number + "\n1\n1 1\n")), "ends too early");
+  }
   expect_refused(file("nowhere.msh"), "cannot be opened");
   expect_refused(file("nowhere.xyz"), "must end in");
 }

@@ -14,7 +14,9 @@
 #include <CGAL/make_model_of_open_cascade_shape.h>
 
 #include <BRepGProp.hxx>
+#include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <algorithm>
@@ -72,6 +74,16 @@ struct Meshed_shape
 
   double volume() const { return CGAL::Polygon_mesh_processing::volume(mesh); }
 };
+
+inline TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes)
+{
+  BRep_Builder builder;
+  TopoDS_Compound result;
+  builder.MakeCompound(result);
+  for(const TopoDS_Shape& shape : shapes)
+    builder.Add(result, shape);
+  return result;
+}
 
 inline double volume_of(const TopoDS_Shape& shape)
 {

@@ -72,9 +72,9 @@ private:
 
   void skip(std::size_t number_of_words)
   {
-    std::string word;
-    while(number_of_words-- > 0)
-      m_in >> word;
+    for(std::string word; number_of_words > 0; --number_of_words)
+      if(!(m_in >> word))
+        throw_file_error(m_file_name, "the file ends too early");
   }
 
   void read_format()
@@ -173,7 +173,8 @@ private:
     m_in.ignore((std::numeric_limits<std::streamsize>::max)(), '\n');
     for(std::size_t i = 0; i < number_of_texts; ++i) {
       std::string text;
-      std::getline(m_in, text);
+      if(!std::getline(m_in, text))
+        throw_file_error(m_file_name, "the file ends too early");
       const std::size_t begin = text.find('"'), end = text.rfind('"');
       if(i == 0 && end > begin)
         data.name = text.substr(begin + 1, end - begin - 1);
