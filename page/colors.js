@@ -38,13 +38,15 @@ function scaleOf(scalar) {
     if (x > 0 && x < lowest) lowest = x;
   }
   if (!(low <= high)) low = high = 0;
-  const scale = { least: low, most: high, isLogarithmic: false, low: scalar.low === null ? low : scalar.low, high: scalar.high === null ? high : scalar.high };
+  const scale = { least: low, most: high, isLogarithmic: false };
+  scale.low = scalar.low === null ? low : scalar.low;
+  scale.high = scalar.high === null ? high : scalar.high;
   if (scalar.low === null && low >= 0 && high > 20 * lowest) {
     scale.isLogarithmic = true;
     scale.low = Math.max(lowest, 1e-3 * high);
   }
-  const from = scale.isLogarithmic ? Math.log(scale.low) : scale.low, to = scale.isLogarithmic ? Math.log(scale.high) : scale.high;
-  scale.share = x => (to > from ? Math.min(Math.max(((scale.isLogarithmic ? Math.log(Math.max(x, scale.low)) : x) - from) / (to - from), 0), 1) : 0);
+  const steps = x => (scale.isLogarithmic ? Math.log(Math.max(x, scale.low)) : x), from = steps(scale.low), to = steps(scale.high);
+  scale.share = x => (to > from ? Math.min(Math.max((steps(x) - from) / (to - from), 0), 1) : 0);
   scale.value = share => (scale.isLogarithmic ? Math.exp(from + share * (to - from)) : from + share * (to - from));
   scale.colors = scalar.isWorstLow ? QUALITY : AMOUNT;
   return scale;
@@ -82,31 +84,32 @@ function faceName(mesh, f) {
   return "face " + face.number + (face.name ? " \u201c" + face.name + "\u201d" : "");
 }
 
-function partColor(mesh, p) { return categoryColor(p); }
-
 // All colourings that make sense for a mesh, the default one first.
 function coloringsOf(mesh) {
   const result = [];
   const add = (name, colors, legend) => result.push({ name, colors, legend });
-  const firstTriangle = f => ({ triangles: [mesh.begins[f]] });
   const own = (face) => (face.color || (face.part !== undefined && mesh.parts[face.part].color));
   if (mesh.faces.some(own)) add("as in the file", () => byFace(mesh, face => (own(face) ? bytesFrom(own(face)) : PLAIN)), { swatches: [] });
   if (mesh.parts.length > 1) {
-    add("part", () => byFace(mesh, face => (face.part === undefined ? MET : partColor(mesh, face.part))),
-        { swatches: mesh.parts.map((part, p) => ({ color: partColor(mesh, p), text: part.name, faces: mesh.faces.map((face, f) => f).filter(f => mesh.faces[f].part === p) })) });
+    const facesOf = p => mesh.faces.map((face, f) => f).filter(f => mesh.faces[f].part === p);
+    add("part", () => byFace(mesh, face => (face.part === undefined ? MET : categoryColor(face.part))),
+        { swatches: mesh.parts.map((part, p) => ({ color: categoryColor(p), text: part.name, faces: facesOf(p) })) });
   }
   add("one colour", () => byFace(mesh, () => PLAIN), { swatches: [] });
   if (mesh.faces.length > 1) {
     const shown = mesh.faces.map((face, f) => f).filter(f => mesh.begins[f] < mesh.begins[f + 1]);
     add("face", () => byFace(mesh, (face, f) => categoryColor(f)),
-        { swatches: shown.length > 400 ? [] : shown.map(f => ({ color: categoryColor(f), text: faceName(mesh, f), faces: [f], first: firstTriangle(f) })) });
+        { swatches: shown.length > 400 ? [] : shown.map(f => ({ color: categoryColor(f), text: faceName(mesh, f), faces: [f] })) });
   }
   for (const scalar of mesh.scalars) {
     scalar.scale = scaleOf(scalar);
     add(scalar.name, () => byScalar(mesh, scalar), { scalar });
   }
   const unmet = unmetFindings(mesh);
-  add("what was not met", () => byUnmet(mesh),
-      { swatches: [{ color: MET, text: unmet.length ? "met" : "all criteria are met" }].concat(unmet.map((f, i) => ({ color: UNMET[i % UNMET.length], text: f.text + " (" + f.detail.replace("because of the ", "") + ")", finding: f }))) });
+  const met = { color: MET, text: unmet.length ? "met" : "all criteria are met" };
+  const swatchOf = (f, i) => ({
+    color: UNMET[i % UNMET.length], text: f.text + " (" + f.detail.replace("because of the ", "") + ")", finding: f
+  });
+  add("what was not met", () => byUnmet(mesh), { swatches: [met].concat(unmet.map(swatchOf)) });
   return result;
 }

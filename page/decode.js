@@ -60,7 +60,8 @@ function normalsOf(positions, triangles) {
   const result = new Float32Array(positions.length);
   for (let t = 0; t < triangles.length; t += 3) {
     const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2], p = positions;
-    const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2], vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
+    const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
+    const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
     const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
     for (const i of [a, b, c]) { result[i] += x; result[i + 1] += y; result[i + 2] += z; }
   }
@@ -72,7 +73,10 @@ function normalsOf(positions, triangles) {
 }
 
 function decode(data) {
-  const mesh = { title: data.title, unit: data.unit, isClosed: data.closed, numberOfPoints: data.numberOfPoints, summary: data.summary, faces: data.faces, parts: data.parts };
+  const mesh = {
+    title: data.title, unit: data.unit, isClosed: data.closed, numberOfPoints: data.numberOfPoints, summary: data.summary,
+    faces: data.faces, parts: data.parts
+  };
   const sorted = orderByFace(numbersOf(data.triangleFaces), data.faces.length), order = sorted.order;
   const corners = numbersOf(data.triangles), placeOf = new Uint32Array(order.length);
   mesh.size = order.length;
@@ -100,13 +104,16 @@ function decode(data) {
     { name: "smallest angle", unit: "\u00b0", low: 0, high: 60, isWorstLow: true, data: values(data.angles) },
     { name: "2r/R", unit: "", low: 0, high: 1, isWorstLow: true, data: values(data.ratios) }];
   for (const v of data.values) {
-    const unit = v.dimension === "number" || !data.unit ? "" : v.dimension === "length" ? "\u00a0" + data.unit : "\u00a0/\u00a0" + data.unit;
+    const isLength = v.dimension === "length";
+    const unit = v.dimension === "number" || !data.unit ? "" : (isLength ? "\u00a0" : "\u00a0/\u00a0") + data.unit;
     // Distances are compared with the largest one; curvatures, which differ by orders of magnitude, on a logarithmic scale.
-    mesh.scalars.push({ name: v.name, unit, low: v.dimension === "length" ? 0 : null, high: null, isWorstLow: false, data: values(v.range) });
+    mesh.scalars.push({ name: v.name, unit, low: isLength ? 0 : null, high: null, isWorstLow: false, data: values(v.range) });
   }
   if (data.tensorStretches) { mesh.stretches = values(data.tensorStretches); mesh.skews = values(data.tensorSkews); }
   mesh.lines = numbersOf(data.lines);
   mesh.lineNumbers = numbersOf(data.lineNumbers);
-  mesh.findings = data.findings.map(f => ({ ...f, triangles: Array.from(numbersOf(f.triangles), t => placeOf[t]), places: f.places.map(p => p.map((x, i) => x - mesh.center[i])) }));
+  mesh.findings = data.findings.map(f => ({
+    ...f, triangles: Array.from(numbersOf(f.triangles), t => placeOf[t]), places: f.places.map(p => p.map((x, i) => x - mesh.center[i]))
+  }));
   return mesh;
 }

@@ -99,13 +99,14 @@ class DomainView {
 
   // Sides that only one triangle has.
   borderEnds(corners) {
-    const factor = 67108864, sides = new Float64Array(corners.length); // both ends of a side in one number
+    const factor = 2 ** 26, sides = new Float64Array(corners.length); // both ends of a side in one number, which 53 bits hold
     for (let i = 0; i < corners.length; ++i) {
       const a = corners[i], b = corners[i % 3 === 2 ? i - 2 : i + 1];
       sides[i] = Math.min(a, b) * factor + Math.max(a, b);
     }
     sides.sort();
-    const ends = [], add = v => ends.push((this.mesh.parameters[2 * v] - 0.5) * this.size.x, (this.mesh.parameters[2 * v + 1] - 0.5) * this.size.y, 0);
+    const ends = [], uv = this.mesh.parameters;
+    const add = v => ends.push((uv[2 * v] - 0.5) * this.size.x, (uv[2 * v + 1] - 0.5) * this.size.y, 0);
     for (let i = 0; i < sides.length; ++i) {
       if (sides[i] === sides[i + 1]) { ++i; continue; }
       add(Math.floor(sides[i] / factor));
@@ -119,15 +120,18 @@ class DomainView {
   // The ends of segments of the ellipse through the corners of a triangle that its tensor sees as a circle; none where there is no tensor.
   ellipseEnds(triangle) {
     const mesh = this.mesh, t = triangle - mesh.begins[this.face], [u0, v0, u1, v1] = mesh.domains[this.face];
-    if (!mesh.stretches || !(mesh.stretches[triangle] === mesh.stretches[triangle]) || !(mesh.skews[triangle] === mesh.skews[triangle])) return [];
+    if (!mesh.stretches || Number.isNaN(mesh.stretches[triangle]) || Number.isNaN(mesh.skews[triangle])) return [];
     // In the coordinates of the picture, where u is x times scaleU.
     const scaleU = this.size.x / ((u1 - u0) || 1), scaleV = this.size.y / ((v1 - v0) || 1);
-    const ratio = Math.exp(mesh.stretches[triangle]) * (scaleV / scaleU) ** 2, e = Math.sqrt(ratio), g = 1 / e, f = Math.tanh(mesh.skews[triangle]);
+    const ratio = Math.exp(mesh.stretches[triangle]) * (scaleV / scaleU) ** 2;
+    const e = Math.sqrt(ratio), g = 1 / e, f = Math.tanh(mesh.skews[triangle]);
     const [p, q, r] = [0, 1, 2].map(i => this.place(3 * t + i)), a = [q[0] - p[0], q[1] - p[1]], b = [r[0] - p[0], r[1] - p[1]];
     const product = (x, y) => e * x[0] * y[0] + f * (x[0] * y[1] + x[1] * y[0]) + g * x[1] * y[1];
-    const rows = [[e * a[0] + f * a[1], f * a[0] + g * a[1]], [e * b[0] + f * b[1], f * b[0] + g * b[1]]], right = [0.5 * product(a, a), 0.5 * product(b, b)];
+    const rows = [[e * a[0] + f * a[1], f * a[0] + g * a[1]], [e * b[0] + f * b[1], f * b[0] + g * b[1]]];
+    const right = [0.5 * product(a, a), 0.5 * product(b, b)];
     const determinant = rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
-    const c = [(right[0] * rows[1][1] - rows[0][1] * right[1]) / determinant, (rows[0][0] * right[1] - rows[1][0] * right[0]) / determinant];
+    const c = [(right[0] * rows[1][1] - rows[0][1] * right[1]) / determinant,
+               (rows[0][0] * right[1] - rows[1][0] * right[0]) / determinant];
     const d = product(c, c), skew = Math.sqrt(Math.max(g - f * f / e, 0));
     if (!isFinite(d) || !(skew > 0)) return [];
     // The tensor is the square of the matrix with the rows (sqrt(e), f / sqrt(e)) and (0, skew).
@@ -142,7 +146,8 @@ class DomainView {
   showEllipses(areAllShown) {
     this.areAllShown = areAllShown;
     if (this.face < 0) return;
-    const begin = this.mesh.begins[this.face], number = this.mesh.begins[this.face + 1] - begin, step = Math.max(1, number / MOST_ELLIPSES), ends = [];
+    const begin = this.mesh.begins[this.face], number = this.mesh.begins[this.face + 1] - begin;
+    const step = Math.max(1, number / MOST_ELLIPSES), ends = [];
     if (areAllShown) for (let i = 0; i < number; i += step) ends.push(...this.ellipseEnds(begin + Math.floor(i)));
     this.replaceLines(this.ellipses, ends);
   }

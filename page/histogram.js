@@ -5,7 +5,8 @@ const NUMBER_OF_BARS = 60;
 function shortNumber(x) {
   if (x === 0) return "0";
   const size = Math.abs(x);
-  return withMinus(size >= 1e5 || size < 1e-3 ? x.toExponential(1) : size >= 100 ? x.toFixed(0) : size >= 10 ? x.toFixed(1) : x.toPrecision(2));
+  if (size >= 1e5 || size < 1e-3) return withMinus(x.toExponential(1));
+  return withMinus(size >= 100 ? x.toFixed(0) : size >= 10 ? x.toFixed(1) : x.toPrecision(2));
 }
 
 // A real minus, at which lines are not broken.
@@ -25,7 +26,8 @@ function countsOf(scalar) {
 }
 
 function drawHistogram(canvas, scalar, background) {
-  const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth || 304, height = canvas.clientHeight || 54, context = canvas.getContext("2d");
+  const ratio = window.devicePixelRatio || 1, context = canvas.getContext("2d");
+  const width = canvas.clientWidth || 304, height = canvas.clientHeight || 54; // what style.css gives it, before it is shown
   canvas.width = Math.round(width * ratio);
   canvas.height = Math.round(height * ratio);
   context.scale(ratio, ratio);
@@ -49,7 +51,10 @@ function histogramButton(scalar, description) {
   name.className = "name";
   name.append(scalar.name, Object.assign(document.createElement("span"), { textContent: description }));
   axis.className = "axis";
-  for (const share of [0, 0.5, 1]) axis.append(Object.assign(document.createElement("span"), { textContent: shortNumber(scalar.scale.value(share)) + scalar.unit }));
+  for (const share of [0, 0.5, 1]) {
+    const textContent = shortNumber(scalar.scale.value(share)) + scalar.unit;
+    axis.append(Object.assign(document.createElement("span"), { textContent }));
+  }
   button.append(name, canvas, axis);
   button.redraw = color => drawHistogram(canvas, scalar, color);
   return button;

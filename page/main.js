@@ -18,7 +18,8 @@ class Page {
     this.colors = this.coloring.colors();
     this.view = new SurfaceView(mesh, this.byId("surface"), this.colors);
     this.panel = new Panel(mesh, this.colorings, {
-      coloring: name => this.setColoring(name), finding: (f, i) => this.goToFinding(f, i), faces: faces => this.goToFaces(faces), hide: faces => this.hide(faces)
+      coloring: name => this.setColoring(name), finding: (f, i) => this.goToFinding(f, i),
+      faces: faces => this.goToFaces(faces), hide: faces => this.hide(faces)
     });
     this.showTitle();
     this.setTheme(window.matchMedia && matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
@@ -78,7 +79,8 @@ class Page {
     toggle("triangle-edges", isOn => this.view.setTriangleEdges(isOn));
     toggle("model-edges", isOn => this.view.setModelEdges(isOn));
     this.byId("fit").addEventListener("click", () => this.view.fly(this.view.fitting(this.view.direction())));
-    for (const button of document.querySelectorAll("[data-view]")) button.addEventListener("click", () => this.lookAlong(button.dataset.view));
+    for (const button of document.querySelectorAll("[data-view]"))
+      button.addEventListener("click", () => this.lookAlong(button.dataset.view));
     this.byId("theme").addEventListener("click", () => this.setTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"));
     this.byId("panel-toggle").addEventListener("click", () => { this.byId("panel").hidden = !this.byId("panel").hidden; });
     this.byId("show-all").addEventListener("click", () => this.hide(null));
@@ -95,7 +97,8 @@ class Page {
   }
 
   lookAlong(axis) {
-    const direction = new THREE.Vector3(axis === "x" ? 1 : 0, axis === "y" ? -1 : axis === "z" ? -1e-3 : 0, axis === "z" ? 1 : 0).normalize();
+    // Not quite along z, where it would not be known what is up.
+    const direction = new THREE.Vector3(...{ x: [1, 0, 0], y: [0, -1, 0], z: [0, -1e-3, 1] }[axis]).normalize();
     if (this.view.direction().dot(direction) > 0.99) direction.negate();
     this.view.fly(this.view.fitting(direction));
   }
@@ -110,9 +113,14 @@ class Page {
   // Hovering, and clicks that are no drags.
   connectPointer(canvas, view) {
     let pressed = null;
-    const place = event => { const box = canvas.getBoundingClientRect(); return { x: event.clientX - box.left, y: event.clientY - box.top }; };
+    const place = event => {
+      const box = canvas.getBoundingClientRect();
+      return { x: event.clientX - box.left, y: event.clientY - box.top };
+    };
     canvas.addEventListener("pointerdown", event => { pressed = place(event); this.hover(-1, null); }, true);
-    canvas.addEventListener("pointermove", event => { if (event.buttons === 0) this.waiting = { view, place: place(event), time: performance.now() }; });
+    canvas.addEventListener("pointermove", event => {
+      if (event.buttons === 0) this.waiting = { view, place: place(event), time: performance.now() };
+    });
     canvas.addEventListener("pointerleave", () => { this.waiting = null; this.hover(-1, null); });
     // At the document: the controls keep events of the canvas to themselves while a button is pressed.
     document.addEventListener("pointerup", event => {
@@ -199,7 +207,8 @@ class Page {
   }
 
   turnAround(event) {
-    const box = this.byId("surface").getBoundingClientRect(), x = event.clientX - box.left, y = event.clientY - box.top, triangle = this.view.pick(x, y);
+    const box = this.byId("surface").getBoundingClientRect(), x = event.clientX - box.left, y = event.clientY - box.top;
+    const triangle = this.view.pick(x, y);
     if (triangle < 0) return;
     const target = this.view.pointAt(triangle, x, y), shift = target.clone().sub(this.view.controls.target);
     this.view.fly({ target, position: this.view.camera.position.clone().add(shift) });
@@ -223,7 +232,8 @@ class Page {
 
   goToFaces(faces) {
     const box = new THREE.Box3();
-    for (const f of faces) for (let t = this.mesh.begins[f]; t < this.mesh.begins[f + 1]; ++t) cornersOf(this.mesh, t).forEach(p => box.expandByPoint(p));
+    for (const f of faces)
+      for (let t = this.mesh.begins[f]; t < this.mesh.begins[f + 1]; ++t) cornersOf(this.mesh, t).forEach(p => box.expandByPoint(p));
     if (box.isEmpty()) return;
     if (faces.length === 1) this.select(this.mesh.begins[faces[0]], null);
     this.view.flyTo(box.getCenter(new THREE.Vector3()), null, 0.35 * box.getSize(new THREE.Vector3()).length());

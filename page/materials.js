@@ -71,14 +71,19 @@ const NO_PLANE = new THREE.Vector4(0, 0, 0, 1);
 
 function shadedMaterial(plane) {
   return new THREE.ShaderMaterial({
-    uniforms: { plane: { value: plane }, edgeWidth: { value: 1.25 }, edgeColor: { value: new THREE.Color(0x1c2733) }, isFlat: { value: 0 }, contrast: { value: 1 }, fadingSteps: { value: new THREE.Vector2(0.14, 0.42) } },
+    uniforms: {
+      plane: { value: plane }, edgeWidth: { value: 1.25 }, edgeColor: { value: new THREE.Color(0x1c2733) }, isFlat: { value: 0 },
+      contrast: { value: 1 }, fadingSteps: { value: new THREE.Vector2(0.14, 0.42) }
+    },
     vertexShader: VERTEX_SHADER, fragmentShader: SHADED_FRAGMENT_SHADER, side: THREE.DoubleSide,
     extensions: { derivatives: true }, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1
   });
 }
 
 function pickingMaterial(plane) {
-  return new THREE.ShaderMaterial({ uniforms: { plane: { value: plane } }, vertexShader: VERTEX_SHADER, fragmentShader: PICKING_FRAGMENT_SHADER, side: THREE.DoubleSide });
+  return new THREE.ShaderMaterial({
+    uniforms: { plane: { value: plane } }, vertexShader: VERTEX_SHADER, fragmentShader: PICKING_FRAGMENT_SHADER, side: THREE.DoubleSide
+  });
 }
 
 // The number of a triangle from 1 in three bytes; 0 is the background.
@@ -119,7 +124,8 @@ class Picker {
 
   // The number of the triangle at a point, in pixels of the page from the corner of the canvas, or -1.
   pick(camera, x, y) {
-    const size = this.renderer.getSize(new THREE.Vector2()), bytes = new Uint8Array(4), color = this.renderer.getClearColor().clone(), alpha = this.renderer.getClearAlpha();
+    const size = this.renderer.getSize(new THREE.Vector2()), bytes = new Uint8Array(4);
+    const color = this.renderer.getClearColor().clone(), alpha = this.renderer.getClearAlpha();
     camera.setViewOffset(size.x, size.y, Math.floor(x), Math.floor(y), 1, 1);
     this.renderer.setRenderTarget(this.target);
     this.renderer.setClearColor(0, 0);

@@ -15,7 +15,8 @@ function meanOf(data) {
 
 function describeScalar(scalar) {
   const s = scalar.scale;
-  return (scalar.isWorstLow ? "minimum " + shortNumber(s.least) : "maximum " + shortNumber(s.most)) + scalar.unit + ", mean " + shortNumber(meanOf(scalar.data)) + scalar.unit;
+  const worst = scalar.isWorstLow ? "minimum " + shortNumber(s.least) : "maximum " + shortNumber(s.most);
+  return worst + scalar.unit + ", mean " + shortNumber(meanOf(scalar.data)) + scalar.unit;
 }
 
 // Triangles with the worst values, the worst one first.
@@ -46,7 +47,8 @@ class Panel {
 
   fillColorings() {
     const select = this.byId("coloring");
-    for (const coloring of this.colorings) select.append(Object.assign(element("option"), { textContent: coloring.name, value: coloring.name }));
+    for (const coloring of this.colorings)
+      select.append(Object.assign(element("option"), { textContent: coloring.name, value: coloring.name }));
     select.addEventListener("change", () => this.on.coloring(select.value));
   }
 
@@ -92,7 +94,9 @@ class Panel {
   fillFindings() {
     const list = this.byId("findings"), unmet = unmetFindings(this.mesh);
     const own = this.mesh.scalars.filter(s => s.scale.most > s.scale.least).map(s => ({
-      kind: "worst triangles", text: s.name.startsWith("smallest") ? s.name : (s.isWorstLow ? "smallest " : "largest ") + s.name, detail: shortNumber(s.isWorstLow ? s.scale.least : s.scale.most) + s.unit,
+      kind: "worst triangles",
+      text: s.name.startsWith("smallest") ? s.name : (s.isWorstLow ? "smallest " : "largest ") + s.name,
+      detail: shortNumber(s.isWorstLow ? s.scale.least : s.scale.most) + s.unit,
       triangles: worstTriangles(s, Math.min(20, this.mesh.size)), places: [], isOrdered: true
     }));
     const kinds = new Map();
@@ -110,7 +114,8 @@ class Panel {
   }
 
   finding(f, unmetIndex) {
-    const number = f.triangles.length || f.places.length, count = element("span", "count", f.isOrdered ? "" : number > 0 ? groupedNumber(number) : "");
+    const number = f.triangles.length || f.places.length;
+    const count = element("span", "count", f.isOrdered || number === 0 ? "" : groupedNumber(number));
     const row = element("button", "finding", element("span", "what", this.textOf(f), element("em", "", f.detail)), count);
     if (unmetIndex >= 0) row.prepend(Object.assign(element("i"), { style: "background:" + css(UNMET[unmetIndex % UNMET.length]) }));
     let next = 0;
@@ -136,17 +141,25 @@ class Panel {
     if (face.part !== undefined) rows.push(["part", mesh.parts[face.part].name]);
     rows.push(["its triangles", groupedNumber(mesh.begins[f + 1] - mesh.begins[f])]);
     rows.push(["triangle", groupedNumber(mesh.numbers[triangle] + 1)]);
-    for (const scalar of mesh.scalars) rows.push([scalar.name, scalar.data[triangle] === scalar.data[triangle] ? longNumber(scalar.data[triangle]) + scalar.unit : "not defined"]);
-    const unmet = unmetFindings(mesh).filter(finding => finding.triangles.includes(triangle)).map(finding => finding.text + ", " + finding.detail);
+    for (const scalar of mesh.scalars) {
+      const value = scalar.data[triangle];
+      rows.push([scalar.name, Number.isNaN(value) ? "not defined" : longNumber(value) + scalar.unit]);
+    }
+    const own = unmetFindings(mesh).filter(finding => finding.triangles.includes(triangle));
+    const unmet = own.map(finding => finding.text + ", " + finding.detail);
     rows.push(["not met", unmet.join("; ") || "nothing", unmet.length > 0]);
-    if (point) rows.push(["place", point.toArray().map((x, i) => longNumber(Math.abs(x + mesh.center[i]) < 1e-6 * mesh.diagonal ? 0 : x + mesh.center[i])).join(", ")]);
-    const table = element("table", "", ...rows.map(([name, value, isUnmet]) => element("tr", "", element("td", "", name), element("td", isUnmet ? "unmet" : "", value))));
+    // What is left of a zero by rounding is shown as zero.
+    const coordinate = x => longNumber(Math.abs(x) < 1e-6 * mesh.diagonal ? 0 : x);
+    if (point) rows.push(["place", point.toArray().map((x, i) => coordinate(x + mesh.center[i])).join(", ")]);
+    const rowOf = ([name, value, isUnmet]) => element("tr", "", element("td", "", name), element("td", isUnmet ? "unmet" : "", value));
+    const table = element("table", "", ...rows.map(rowOf));
     this.byId("selection").replaceChildren(table, this.actions(f));
   }
 
   // What can be done with the face or its part.
   actions(f) {
-    const mesh = this.mesh, part = mesh.faces[f].part, all = mesh.faces.map((face, i) => i), same = all.filter(i => mesh.faces[i].part === part);
+    const mesh = this.mesh, part = mesh.faces[f].part;
+    const all = mesh.faces.map((face, i) => i), same = all.filter(i => mesh.faces[i].part === part);
     const result = element("div", "actions"), add = (text, action) => {
       const button = element("button", "", text);
       button.addEventListener("click", action);
@@ -169,8 +182,8 @@ class Panel {
   showDomain(face, view) {
     const [u0, v0, u1, v1] = this.mesh.domains[face];
     this.byId("domain-title").textContent = "Domain of face " + this.mesh.faces[face].number;
-    const scale = view.stretch === 1 ? "" : view.stretch > 1 ? ", drawn " + shortNumber(view.stretch) + " times as large" : "";
-    this.byId("domain-range").textContent = "u " + shortNumber(u0) + " \u2026 " + shortNumber(u1) + (view.stretch < 1 ? ", drawn " + shortNumber(1 / view.stretch) + " times as large" : "")
-      + ",  v " + shortNumber(v0) + " \u2026 " + shortNumber(v1) + scale;
+    const range = (name, low, high, stretch) => name + " " + shortNumber(low) + " \u2026 " + shortNumber(high)
+      + (stretch > 1 ? ", drawn " + shortNumber(stretch) + " times as large" : "");
+    this.byId("domain-range").textContent = range("u", u0, u1, 1 / view.stretch) + ",  " + range("v", v0, v1, view.stretch);
   }
 }

@@ -79,9 +79,11 @@ void main() {
   update() {
     const isOn = this.axis !== "", clipping = isOn ? [this.clipping] : null;
     for (const cap of this.caps) cap.visible = isOn;
-    for (const object of [this.view.selection, this.view.hovered, this.view.lines, this.view.outline]) object.material.clippingPlanes = clipping;
+    for (const object of [this.view.selection, this.view.hovered, this.view.lines, this.view.outline])
+      object.material.clippingPlanes = clipping;
     if (!isOn) { this.plane.set(0, 0, 0, 1); return; }
-    const normal = this.normal(), [low, high] = this.range(normal), place = low + this.share * (high - low), sign = this.isFlipped === this.isSeenFromBehind ? 1 : -1;
+    const normal = this.normal(), [low, high] = this.range(normal);
+    const place = low + this.share * (high - low), sign = this.isFlipped === this.isSeenFromBehind ? 1 : -1;
     this.plane.set(sign * normal.x, sign * normal.y, sign * normal.z, sign * place);
     this.clipping.set(normal.clone().multiplyScalar(-sign), sign * place);
     if (!this.cap) return;

@@ -15,7 +15,8 @@ function cornersOf(mesh, t) {
 
 // Three vertices for each triangle, with what the vertices of the page have.
 function cornerValues(values, size, triangles, Type, factor) {
-  const result = new Type(size === 3 && Type === Int8Array ? 4 * triangles.length : size * triangles.length), step = result.length / triangles.length;
+  const step = size === 3 && Type === Int8Array ? 4 : size; // bytes in groups of four
+  const result = new Type(step * triangles.length);
   for (let i = 0; i < triangles.length; ++i)
     for (let k = 0; k < size; ++k) result[step * i + k] = factor * values[size * triangles[i] + k];
   return result;
@@ -32,7 +33,8 @@ function chosenDirection(mesh) {
     twiceArea += n.length();
     sum.add(n);
   }
-  const horizontal = Math.hypot(sum.x, sum.y), isSided = horizontal > 0.1 * twiceArea, isFromBelow = -sum.z > Math.max(horizontal, 0.1 * twiceArea);
+  const horizontal = Math.hypot(sum.x, sum.y);
+  const isSided = horizontal > 0.1 * twiceArea, isFromBelow = -sum.z > Math.max(horizontal, 0.1 * twiceArea);
   const azimuth = isSided ? Math.atan2(sum.y, sum.x) - Math.PI / 6 : -Math.PI / 3;
   const steepness = Math.atan2(Math.abs(sum.z), horizontal) * 180 / Math.PI;
   const elevation = (isFromBelow ? -1 : 1) * Math.min(Math.max(steepness - 30, 25), 40) * Math.PI / 180;
@@ -113,7 +115,8 @@ class SurfaceView {
     const mesh = this.mesh, ends = [];
     for (let i = 0; i < mesh.lines.length; i += 2)
       if (isShown(mesh.lines[i]) && isShown(mesh.lines[i + 1]))
-        for (const v of [mesh.lines[i], mesh.lines[i + 1]]) ends.push(mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]);
+        for (const v of [mesh.lines[i], mesh.lines[i + 1]])
+          ends.push(mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]);
     this.lines.geometry.dispose();
     this.lines.geometry = new THREE.LineSegmentsGeometry();
     this.hasLines = ends.length > 0;
@@ -139,7 +142,8 @@ class SurfaceView {
     if (!this.marker) {
       const geometry = new THREE.BufferGeometry();
       geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(3), 3));
-      this.marker = new THREE.Points(geometry, new THREE.PointsMaterial({ color: MARK, size: 11, sizeAttenuation: false, depthTest: false, transparent: true }));
+      const material = new THREE.PointsMaterial({ color: MARK, size: 11, sizeAttenuation: false, depthTest: false, transparent: true });
+      this.marker = new THREE.Points(geometry, material);
       this.marker.renderOrder = 4;
       this.scene.add(this.marker);
     }
@@ -211,7 +215,8 @@ class SurfaceView {
     camera.updateMatrix();
     const axes = [0, 1, 2].map(i => new THREE.Vector3().setFromMatrixColumn(camera.matrix, i)), p = this.mesh.positions;
     // A point (x, y, z) is seen from (a, b, d) if |x - a| and |y - b| are at most (d - z) times the slopes of the sides of the view.
-    const tangent = Math.tan(FIELD_OF_VIEW / 2 * Math.PI / 180), slopes = [0.90 * tangent * this.camera.aspect, 0.78 * tangent]; // room for the title and tools
+    // There is room for the title and the tools.
+    const tangent = Math.tan(FIELD_OF_VIEW / 2 * Math.PI / 180), slopes = [0.90 * tangent * this.camera.aspect, 0.78 * tangent];
     const low = [-Infinity, -Infinity], high = [-Infinity, -Infinity], point = new THREE.Vector3();
     let depth = 0;
     for (let i = 0; i < p.length; i += 3) {
@@ -240,7 +245,8 @@ class SurfaceView {
 
   // Moves there within a third of a second.
   fly(view) {
-    this.flight = { from: { target: this.controls.target.clone(), position: this.camera.position.clone() }, to: view, begin: performance.now() };
+    const from = { target: this.controls.target.clone(), position: this.camera.position.clone() };
+    this.flight = { from, to: view, begin: performance.now() };
     this.isStale = true;
   }
 
@@ -255,7 +261,7 @@ class SurfaceView {
 
   continueFlight() {
     if (!this.flight) return;
-    const share = Math.min((performance.now() - this.flight.begin) / 350, 1), s = share * share * (3 - 2 * share), { from, to } = this.flight;
+    const { from, to, begin } = this.flight, share = Math.min((performance.now() - begin) / 350, 1), s = share * share * (3 - 2 * share);
     this.setView({ target: from.target.clone().lerp(to.target, s), position: from.position.clone().lerp(to.position, s) });
     if (share === 1) this.flight = null;
   }

@@ -31,9 +31,12 @@ class Browser:
         # The descriptors 3 and 4 are those of the protocol.
         command = ("exec 3<&%d 4>&%d; exec \"$@\"" % (to_browser, from_browser), "sh", find_browser(),
                    "--headless=new", "--remote-debugging-pipe", "--user-data-dir=" + self.folder, "--no-first-run", "--hide-scrollbars",
-                   "--disable-gpu-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--force-device-scale-factor=1",
-                   "--window-size=%d,%d" % (width, height)) + (("--no-sandbox",) if os.geteuid() == 0 else ())
-        self.process = subprocess.Popen(("bash", "-c") + command, pass_fds=(to_browser, from_browser), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                   "--disable-gpu-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                   "--force-device-scale-factor=1", "--window-size=%d,%d" % (width, height))
+        if os.geteuid() == 0:
+            command += ("--no-sandbox",)
+        self.process = subprocess.Popen(("bash", "-c") + command, pass_fds=(to_browser, from_browser), stdout=subprocess.DEVNULL,
+                                        stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)
         self.unread = b""
@@ -108,8 +111,8 @@ class Browser:
         self.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done))))")
 
     def mouse(self, kind, x, y, button="none"):
-        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, buttons=0 if kind == "mouseMoved" and button == "none" else 1,
-                  clickCount=0 if button == "none" else 1)
+        buttons = 0 if kind == "mouseMoved" and button == "none" else 1
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, buttons=buttons, clickCount=0 if button == "none" else 1)
 
     def click(self, x, y):
         self.mouse("mouseMoved", x, y)

@@ -41,11 +41,13 @@ class Page(unittest.TestCase):
         self.browser.evaluate("""window.seen = face => {
             const page = meshPage, view = page.view, found = [];
             for (let t = page.mesh.begins[face]; t < page.mesh.begins[face + 1]; ++t) {
-              const p = page.mesh.positions, corner = i => { const v = 3 * page.mesh.triangles[3 * t + i]; return new THREE.Vector3(p[v], p[v + 1], p[v + 2]); };
+              const p = page.mesh.positions;
+              const corner = i => { const v = 3 * page.mesh.triangles[3 * t + i]; return new THREE.Vector3(p[v], p[v + 1], p[v + 2]); };
               const [a, b, c] = [corner(0), corner(1), corner(2)], normal = b.clone().sub(a).cross(c.clone().sub(a)).normalize();
               const middle = a.clone().add(b).add(c).divideScalar(3), place = view.placeOf(middle);
               const isFree = document.elementFromPoint(place.x, place.y) === view.canvas;
-              if (isFree && normal.dot(view.camera.position.clone().sub(middle).normalize()) > 0.2) found.push({ triangle: t, x: place.x, y: place.y });
+              const isInFront = normal.dot(view.camera.position.clone().sub(middle).normalize()) > 0.2;
+              if (isFree && isInFront) found.push({ triangle: t, x: place.x, y: place.y });
             }
             return found[Math.floor(found.length / 2)];
           }""")
@@ -62,7 +64,8 @@ class Page(unittest.TestCase):
         # On a box nothing is curved, so that only these differ.
         pictures = []
         for name in ("one colour", "face", "smallest angle"):
-            self.browser.evaluate("meshPage.byId('coloring').value = '%s'; meshPage.byId('coloring').dispatchEvent(new Event('change'))" % name)
+            self.browser.evaluate("meshPage.byId('coloring').value = '%s'; meshPage.byId('coloring')"
+                                  ".dispatchEvent(new Event('change'))" % name)
             pictures.append(self.view())
         for i in range(3):
             for k in range(i):
@@ -103,7 +106,7 @@ class Page(unittest.TestCase):
     def test_the_domain_is_beside_it(self):
         self.open("peak", "peak", "--max-edge", "0.15", "--gamma", "0.25")
         self.browser.evaluate("meshPage.select(100, null)")
-        box = self.browser.evaluate("(() => { const b = meshPage.byId('domain').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()")
+        box = self.browser.evaluate("(b => [b.left, b.top, b.width, b.height])(meshPage.byId('domain').getBoundingClientRect())")
         picture = self.browser.screenshot(*box)
         self.assertGreater(len(picture.colors()), 20)
         self.assertTrue(any(r > 180 and g < 110 for r, g, *_ in picture.colors()), "there is no ellipse")
@@ -121,7 +124,11 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.evaluate("meshPage.view.hovered.geometry.drawRange.start"), 3 * triangle)
         # The ellipse runs through the corners of its triangle.
         error = self.browser.evaluate("""(() => { const d = meshPage.domain, ends = d.ellipseEnds(%d);
-            const distance = p => { let least = Infinity; for (let i = 0; i < ends.length; i += 3) least = Math.min(least, Math.hypot(ends[i] - p[0], ends[i + 1] - p[1])); return least; };
+            const distance = p => {
+              let least = Infinity;
+              for (let i = 0; i < ends.length; i += 3) least = Math.min(least, Math.hypot(ends[i] - p[0], ends[i + 1] - p[1]));
+              return least;
+            };
             const size = Math.hypot(ends[0] - ends[108], ends[1] - ends[109]);
             return Math.max(...[0, 1, 2].map(i => distance(d.place(%d + i)))) / size; })()""" % (triangle, 3 * triangle))
         self.assertLess(error, 0.05)
