@@ -13,7 +13,9 @@
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/curves/Equal_arc_curve.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/curve_box.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/group_points.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/has_finite_coordinates.h>
 #include <CGAL/Parametric_surface_model_3.h>
 #include <CGAL/Parametric_surface_mesher/orient_faces.h>
 
@@ -36,14 +38,19 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The bounding box of nine points of a patch. Its four corners alone may all be the same point.
+// The bounding box of nine points of a patch. Its four corners alone may all be the same point. `index`: of the patch, for an error
 template <class Surface>
-Bbox_3 box_of_patch(const Surface& s)
+Bbox_3 box_of_patch(const Surface& s, std::size_t index)
 {
   Bbox_3 box;
   for(double u : {s.u_min(), 0.5 * (s.u_min() + s.u_max()), s.u_max()})
-    for(double v : {s.v_min(), 0.5 * (s.v_min() + s.v_max()), s.v_max()})
-      box += s.point(u, v).bbox();
+    for(double v : {s.v_min(), 0.5 * (s.v_min() + s.v_max()), s.v_max()}) {
+      const auto p = s.point(u, v);
+      if(!has_finite_coordinates(p))
+        throw Parametric_surface_mesh_error(numbered("patch", index) + ": the surface is not finite at (u,v) = (" + describe(u) + ", "
+                                            + describe(v) + ")");
+      box += p.bbox();
+    }
   return box;
 }
 
@@ -235,8 +242,8 @@ private:
 
 makes a model of patches over rectangles, for instance Bezier patches: boundary curves that are equal within `tolerance`
 become one edge, and sides that are a point become collapsed edges. Two sides of one patch may match too: it closes on
-itself along a seam. Patches are reversed by `Parametric_surface_mesher::orient_faces()`, so that neighbours face to the same side, and closed pieces
-outward.
+itself along a seam. Patches are reversed by `Parametric_surface_mesher::orient_faces()`, so that neighbours face to the same side, and
+closed pieces outward.
 
 Where three or more patches meet in one curve the mesh is cut: see `Parametric_surface_model_3::Face::shell`.
 
@@ -246,7 +253,8 @@ direction; they are compared at nine points. Patches that meet along a part of a
 \param surfaces the patches
 \param tolerance how far apart points may be that are to be one. 0 stands for 1e-9 of the diagonal of the bounding box (of
 nine points of each patch).
-\throws Parametric_surface_mesh_error if a connected piece is not orientable
+\throws Parametric_surface_mesh_error if `tolerance` is negative, a patch is not finite at one of these points, or a connected piece is
+not orientable
 
 Complexity: `O(n log n)` for `n` patches whose corners are spread out in space.
 
@@ -256,10 +264,13 @@ template <class Surface>
 Parametric_surface_model_3<Surface> make_model_of_rectangular_patches(const std::vector<Surface>& surfaces,
                                                                       double tolerance = 0)
 {
-  if(!(tolerance > 0)) {
+  if(!(tolerance >= 0))
+    throw Parametric_surface_mesh_error("the tolerance of patches must be at least 0, and is "
+                                        + Parametric_surface_mesher::internal::describe(tolerance));
+  if(tolerance == 0) {
     Bbox_3 box;
-    for(const Surface& s : surfaces)
-      box += Parametric_surface_mesher::internal::box_of_patch(s);
+    for(std::size_t i = 0; i < surfaces.size(); ++i)
+      box += Parametric_surface_mesher::internal::box_of_patch(surfaces[i], i);
     tolerance = 1e-9 * std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
   }
   return Parametric_surface_mesher::internal::Patch_matcher<Surface>(surfaces, tolerance)();

@@ -20,8 +20,8 @@ if _util.find_spec(__name__ + "._core") is None:
     import pathlib as _pathlib
     import sys as _sys
     _built = ", ".join(path.name for path in _pathlib.Path(__file__).parent.glob("_core.*.so")) or "none"
-    raise ImportError(f"{_sys.executable} finds no compiled part of parametric_surface_mesher that fits it (there is: {_built}); start the Python "
-                      "that it was built for, or build it with -DPython3_EXECUTABLE=... for this one")
+    raise ImportError(f"{_sys.executable} finds no compiled part of parametric_surface_mesher that fits it (there is: {_built}); start the "
+                      "Python that it was built for, or build it with -DPython3_EXECUTABLE=... for this one")
 
 from . import _core
 from ._errors import MeshingError
@@ -39,4 +39,5 @@ if hasattr(_core, "mesh_cad"):
 else:
     def mesh_cad(*arguments, **options):  # type: ignore[misc]
         """Would mesh a CAD file, but the module was built without Open CASCADE."""
-        raise MeshingError("the module was built without Open CASCADE (Debian: libocct-data-exchange-dev), so that it cannot read CAD files")
+        raise MeshingError("the module was built without Open CASCADE, so that it cannot read CAD files; install that (Debian: "
+                           "libocct-data-exchange-dev), configure and build again")

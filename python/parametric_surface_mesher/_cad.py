@@ -10,33 +10,36 @@ import tempfile
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._errors import MeshingError
+from ._errors import ONLY_OF_PROGRAM, MeshingError
 from ._mesh import Mesh
 from ._watching import Progress, Size, run, size_for_core
 
-# Those that the program takes several times.
+# Options that the program takes several times.
 _REPEATED = ("parts", "sphere-size", "local-size", "point")
-# Those of the program that have no meaning here.
-_NOT_HERE = ("out", "picture", "json", "quiet", "help", "list", "binary", "node-parameters", "page", "version")
 
 
 def mesh_cad(source: Any, *, fineness: Optional[str] = None, max_edge: Optional[float] = None, min_edge: Optional[float] = None,
              gamma: Optional[float] = None, elements_per_turn: Optional[float] = None, distance: Optional[float] = None,
              relative_distance: Optional[float] = None, angle: Optional[float] = None, size: Optional[Size] = None,
              growth: Optional[float] = None, face_size: Optional[Mapping[Union[int, str], float]] = None,
-             edge_size: Optional[Mapping[Union[int, str], float]] = None, local_size: Union[None, str, Sequence[str]] = None, parts: Union[None, str, int, Sequence[Union[str, int]]] = None,
+             edge_size: Optional[Mapping[Union[int, str], float]] = None, local_size: Union[None, str, Sequence[str]] = None,
+             parts: Union[None, str, int, Sequence[Union[str, int]]] = None,
              faces: Union[None, str, Iterable[Union[int, str]]] = None, unit: Optional[str] = None, order: Optional[int] = None,
              conformal: bool = False, threads: Optional[int] = None, progress: Optional[Progress] = None,
              time_limit: Optional[float] = None, **options: Any) -> Mesh:
     arguments: Dict[str, Any] = dict(
         fineness=fineness, max_edge=max_edge, min_edge=min_edge, gamma=gamma, elements_per_turn=elements_per_turn, distance=distance,
-        relative_distance=relative_distance, angle=angle, growth=growth, face_size=face_size, edge_size=edge_size, local_size=local_size, parts=parts, faces=faces,
-        unit=unit, order=order, conformal=conformal, threads=threads, **options)
+        relative_distance=relative_distance, angle=angle, growth=growth, face_size=face_size, edge_size=edge_size, local_size=local_size,
+        parts=parts, faces=faces, unit=unit, order=order, conformal=conformal, threads=threads, **options)
     words = _words(arguments)
     size_in_core = size_for_core(size)
     with tempfile.TemporaryDirectory(prefix="mesh_cad_") as folder:
         path = _file_of(source, folder)
-        core, is_interrupted = run(_core.mesh_cad, [*words, "--", path], progress, size_in_core, time_limit)
+        try:
+            core, is_interrupted = run(_core.mesh_cad, [*words, "--", path], progress, size_in_core, time_limit)
+        except MeshingError as error:
+            # The user does not know the file that was written for bytes or a shape.
+            raise MeshingError(str(error).replace(os.path.join(folder, ""), "the given ")) from None
     return Mesh._finished(core, {}, is_interrupted)
 
 
@@ -79,7 +82,7 @@ def _described_options() -> str:
     import textwrap
     lines: List[str] = []
     for name, description in _core.cad_options():
-        if name not in _NOT_HERE:
+        if name not in ONLY_OF_PROGRAM:
             lines.append("    " + name.replace("-", "_"))
             lines += textwrap.wrap(description.replace("--", ""), 110, initial_indent="        ", subsequent_indent="        ")
     return "\n".join(lines)
@@ -96,8 +99,10 @@ def _words(arguments: Mapping[str, Any]) -> List[str]:
         option = name.replace("_", "-")
         if value is None or (value is False and option in known):
             continue
-        if option not in known or option in _NOT_HERE:
+        if option not in known or option in ONLY_OF_PROGRAM:
             raise TypeError(f"mesh_cad() has no argument '{name}'; help(mesh_cad) lists them")
+        if isinstance(value, (list, tuple, Mapping)) and len(value) == 0:
+            raise ValueError(f"{name}: it is empty; leave it out, or give at least one entry")
         if value is True:
             result.append(f"--{option}")
         elif option in _REPEATED:
@@ -108,7 +113,7 @@ def _words(arguments: Mapping[str, Any]) -> List[str]:
 
 
 def _items(value: Any) -> List[Any]:
-    """Those of a list; a text, a number and the coordinates of a point are one item."""
+    """The items of a list; a text, a number and the coordinates of a point are one item."""
     if isinstance(value, str) or not isinstance(value, Iterable) or all(isinstance(item, numbers.Number) for item in value):
         return [value]
     return list(value)
@@ -178,4 +183,5 @@ def _brep_of_open_cascade(shape: Any) -> bytes:
     if module.startswith("OCC."):
         from OCC.Core.BRepTools import breptools  # type: ignore
         return breptools.WriteToString(shape).encode()
-    raise TypeError(f"{type(shape).__name__} is neither a path, the bytes of a file, nor a shape of CadQuery, build123d or pythonOCC")
+    raise TypeError(f"{type(shape).__name__} is neither a path, the bytes of a file, nor a shape of CadQuery, build123d, FreeCAD or "
+                    "pythonOCC")

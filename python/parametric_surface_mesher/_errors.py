@@ -14,10 +14,18 @@ class MeshingError(RuntimeError):
     """Input that cannot be read or meshed. The message names the place, and what to change."""
 
 
+# Options of the program `mesh_cad` that are no arguments of the function.
+ONLY_OF_PROGRAM = ("out", "picture", "json", "quiet", "help", "list", "list-faces", "binary", "node-parameters", "page", "version")
+
+
 def _renamed(sentence: str) -> str:
-    """Options are named as arguments: --max-edge is max_edge."""
-    return re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda match: match.group(1).replace("-", "_"), sentence).replace(
-        "; help lists the options", "; help(mesh_cad) lists the options")
+    """Options are named as arguments: --max-edge is max_edge. Those that only the program has are named as its own."""
+    def name(match: "re.Match[str]") -> str:
+        option = match.group(1)
+        return f"the program's --{option}" if option in ONLY_OF_PROGRAM else option.replace("-", "_")
+    sentence = sentence.replace("; --help lists the options", "; help(mesh_cad) lists the arguments")
+    sentence = re.sub(r"^option '--([a-z-]+)' does not take any arguments", r"--\1 must be True or False", sentence)
+    return re.sub(r"--([a-z]+(?:-[a-z]+)*)", name, sentence)
 
 
 @contextlib.contextmanager

@@ -196,8 +196,8 @@ def _named(operation: str) -> Callable[..., Symbol]:
 
 # By the names of NumPy. What is not an operation of the compiled part is composed.
 FUNCTIONS: Dict[str, Callable[..., Symbol]] = {
-    name: _named(name) for name in ("add", "subtract", "multiply", "divide", "negative", "less", "less_equal", "equal", "minimum", "maximum",
-                                    "sqrt", "cbrt", "exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh")}
+    name: _named(name) for name in ("add", "subtract", "multiply", "divide", "negative", "less", "less_equal", "equal", "minimum",
+                                    "maximum", "sqrt", "cbrt", "exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh")}
 FUNCTIONS.update({
     "true_divide": _named("divide"), "fmin": _named("minimum"), "fmax": _named("maximum"),
     "arcsin": _named("asin"), "arccos": _named("acos"), "arctan": _named("atan"), "arctan2": _named("atan2"),
@@ -255,7 +255,9 @@ class _Reader(ast.NodeVisitor):
         self.variables = variables
 
     def refuse(self, what: str) -> FormulaError:
-        return FormulaError(f"the formula '{self.text}' {what}")
+        most = 200  # characters of a long formula that are enough to recognize it
+        text = self.text if len(self.text) <= most else self.text[:most] + "..."
+        return FormulaError(f"the formula '{text}' {what}")
 
     def generic_visit(self, node: ast.AST) -> Any:
         raise self.refuse(f"has a part that is no arithmetic: '{ast.unparse(node)}'")
@@ -345,14 +347,16 @@ def read_formula(text: str, variables: Sequence[str], number_of_results: int) ->
         body = ast.parse(lines, mode="exec").body
     except SyntaxError as error:
         raise reader.refuse(f"cannot be read: {error.msg}") from None
-    except (ValueError, RecursionError, MemoryError) as error:
+    except (RecursionError, MemoryError):
+        raise reader.refuse("is nested too deeply; set parts of it before, as in 'r = 2 + cos(v); r*cos(u), r*sin(u), sin(v)'") from None
+    except ValueError as error:
         raise reader.refuse(f"cannot be read: {error}") from None
     result: Any = None
     try:
         for statement in body:
             result = reader.visit(statement)
     except RecursionError:
-        raise reader.refuse("is nested too deeply") from None
+        raise reader.refuse("is nested too deeply; set parts of it before, as in 'r = 2 + cos(v); r*cos(u), r*sin(u), sin(v)'") from None
     results = result if isinstance(result, list) else [] if result is None else [result]
     if len(results) != number_of_results or any(isinstance(r, list) for r in results):
         values = "one value" if number_of_results == 1 else f"{number_of_results} values with commas between"

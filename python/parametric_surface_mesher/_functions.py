@@ -10,8 +10,9 @@ import numpy as np
 
 Values = np.ndarray  # one row for each coordinate, one column for each place
 
-# Of the extent of a parameter. For differences of exact first derivatives: the cube root of the rounding error. For differences of
-# values: their error is that of rounding over the square, and the fourth power of the step over the size of features.
+# Steps as shares of the extent of a parameter. That for differences of exact first derivatives is the cube root of the rounding error.
+# Differences of values have the error of rounding over the square of the step, and that of the formula, which grows with its fourth
+# power; their step is between both.
 _STEP_OF_COMPLEX = 6e-6
 _STEP_OF_DIFFERENCES = 1e-3
 _IMAGINARY_STEP = 1e-30
@@ -39,7 +40,7 @@ class CalledFunction:
         return "complex steps" if self.bears_complex else "differences"
 
     def point(self, *parameters: float) -> List[float]:
-        return [float(x) for x in self._checked(self.function(*parameters))]
+        return real_numbers(self._checked(self.function(*parameters)), "the function")
 
     def jet(self, *parameters: float) -> List[List[float]]:
         """The value, the first and the second derivatives: by u, v, uu, uv and vv, or by t and tt."""
@@ -52,14 +53,14 @@ class CalledFunction:
         return result
 
     def _values(self, places: np.ndarray) -> Values:
-        """Of places in columns."""
+        """The values of the function at places, which are columns."""
         if self.is_vectorized:
             result = self._checked(self.function(*places))
             return np.array([np.broadcast_to(row, places.shape[1:]) for row in result])
         return np.array([self._checked(self.function(*place)) for place in places.T.tolist()]).T
 
     def _bears_arrays(self, places: np.ndarray) -> bool:
-        one_by_one = np.array([self._checked(self.function(*place)) for place in places.T.tolist()], dtype=float).T
+        one_by_one = np.array([self.point(*place) for place in places.T.tolist()]).T
         self.is_vectorized = True
         try:
             return bool(np.allclose(self._values(places), one_by_one, rtol=1e-9, equal_nan=True))
@@ -126,7 +127,8 @@ class CalledFunction:
         else:
             def mixed(c: int, k: int) -> np.ndarray:
                 return (f[:, c] - f[:, c + 1] - f[:, c + 2] + f[:, c + 3]) / (4 * k * k * steps[0] * steps[1])
-            jet = [f[:, 0], first(1, steps[0]), first(5, steps[1]), second(1, steps[0]), (4 * mixed(9, 1) - mixed(13, 2)) / 3, second(5, steps[1])]
+            jet = [f[:, 0], first(1, steps[0]), first(5, steps[1]),
+                   second(1, steps[0]), (4 * mixed(9, 1) - mixed(13, 2)) / 3, second(5, steps[1])]
         return [row.tolist() for row in jet]
 
 
@@ -135,10 +137,23 @@ def with_given_derivatives(function: Callable[..., Any], derivatives: Callable[.
     """The value and the derivatives that another function returns."""
     def jet(*parameters: float) -> List[List[float]]:
         given = derivatives(*parameters)
-        if len(given) != number_of_derivatives:
-            raise TypeError(f"the function of derivatives must return {number_of_derivatives} vectors, but returned {len(given)}")
-        return [[float(x) for x in row] for row in (function(*parameters), *given)]
+        if not hasattr(given, "__len__") or len(given) != number_of_derivatives:
+            found = f"{len(given)} values" if hasattr(given, "__len__") else repr(given)
+            raise TypeError(f"the function of derivatives must return {number_of_derivatives} vectors, but returned {found}")
+        point = real_numbers(function(*parameters), "the function")
+        vectors = [real_numbers(vector, "the function of derivatives") for vector in given]
+        for vector in vectors:
+            if len(vector) != len(point):
+                raise TypeError(f"the function of derivatives must return vectors with {len(point)} coordinates, but one has {len(vector)}")
+        return [point, *vectors]
     return jet
+
+
+def real_numbers(coordinates: Any, source: str) -> List[float]:
+    try:
+        return [float(x) for x in coordinates]
+    except (TypeError, ValueError):
+        raise TypeError(f"{source} must return real numbers, but returned {coordinates!r}") from None
 
 
 def agrees(program_values: Callable[..., Sequence[float]], function: Callable[..., Any], ranges: Sequence[Tuple[float, float]]) -> bool:

@@ -3,6 +3,7 @@
 """The mesh that all functions return."""
 from __future__ import annotations
 
+import contextlib
 import html
 import json
 import os
@@ -111,13 +112,12 @@ class Mesh:
 
         For solvers, with groups and names: ``.msh`` (Gmsh 4.1; ``.msh2``: 2.2), ``.inp`` (Abaqus, CalculiX), ``.bdf`` (Nastran),
         ``.unv``, ``.vtu`` (ParaView), and of CAD files ``.med``, if that was built. For viewers and printers: ``.stl``,
-        ``.ply``, ``.off``, ``.obj``, and of CAD files ``.glb``, and ``.brep`` as ``brep()`` does. ``binary`` is for ``.stl``, ``.ply`` and ``.off``; ``node_parameters``
-        writes where on the CAD model nodes lie, into ``.msh`` and ``.vtu``. ``.html`` is ``page()``. The file appears when it is complete.
+        ``.ply``, ``.off``, ``.obj``, and of CAD files ``.glb``, ``.3mf``, if that was built, and ``.brep`` as ``brep()`` does. For
+        browsers: ``.html``, the page of ``page()``. ``binary`` is for ``.stl``, ``.ply`` and ``.off``; ``node_parameters`` writes where on
+        the CAD model nodes lie, into ``.msh`` and ``.vtu``. The file appears when it is complete.
         """
-        if os.fspath(path).endswith(".html"):
-            page = self.page()
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(page)
+        if os.fspath(path).lower().endswith(".html"):
+            _write_whole(os.fspath(path), self.page())
             return
         with sentences():
             if hasattr(self._core, "summary"):
@@ -133,6 +133,8 @@ class Mesh:
         So its writers of STL and glTF, and viewers, take this mesh in place of their own:
         ``cadquery.Shape.importBrep(io.BytesIO(mesh.brep()))``.
         """
+        if not hasattr(self._core, "summary"):
+            raise MeshingError("brep: this mesh has no shape of Open CASCADE; only meshes of mesh_cad() have one")
         with tempfile.TemporaryDirectory(prefix="mesh_cad_") as folder:
             path = os.path.join(folder, "shape.brep")
             self.save(path)
@@ -163,7 +165,10 @@ class Mesh:
         return _plot.to_pyvista(self)
 
     def page(self) -> str:
-        """A page to look at in a browser, as HTML: the mesh can be turned and cut, and shows what was not met. ``save("part.html")`` writes it."""
+        """A page to look at in a browser, as HTML: the mesh can be turned and cut, and shows what was not met.
+
+        ``save("part.html")`` writes it.
+        """
         with sentences():
             return self._core.page() if hasattr(self._core, "summary") else self._core.page("mesh", self.summary())
 
@@ -196,5 +201,19 @@ class MeshingInterrupted(KeyboardInterrupt):
     """
 
     def __init__(self, mesh: Mesh):
-        super().__init__(f"meshing was interrupted; the attribute 'mesh' of this exception (sys.last_value.mesh) is the valid mesh so far: {mesh!r}")
+        super().__init__("meshing was interrupted; the attribute 'mesh' of this exception (sys.last_value.mesh) is the valid mesh so far: "
+                         f"{mesh!r}")
         self.mesh = mesh
+
+
+def _write_whole(path: str, text: str) -> None:
+    """Writes a file that appears when it is complete."""
+    unfinished = path + ".part"
+    try:
+        with open(unfinished, "w", encoding="utf-8") as file:
+            file.write(text)
+        os.replace(unfinished, path)
+    except OSError as error:
+        with contextlib.suppress(OSError):
+            os.remove(unfinished)
+        raise MeshingError(f"cannot write {path}: {error.strerror}") from None

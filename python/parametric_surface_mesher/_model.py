@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from typing import Any, Callable, List, Optional, Sequence, Tuple
 
+import numpy as np
+
 from . import _core
 from ._errors import sentences
 from ._mesh import Mesh
@@ -15,8 +17,8 @@ from ._watching import Progress, Size, run, size_for_core
 class Model:
     """Faces that share edges: surfaces with loops of edges, which are divided once, so that the meshes of faces fit together.
 
-    Most models come from ``Model.joined()``. By hand: vertices, edges between them, and faces, whose loops tell for each edge its curve in the
-    domain of the face. All uses of an edge give the same point of space at the same parameter of their curves.
+    Most models come from ``Model.joined()``. Others are made by hand, of vertices, edges between them, and faces, whose loops tell for each
+    edge its curve in the domain of the face. All uses of an edge give the same point of space at the same parameter of their curves.
 
     >>> model = Model()
     >>> below, above = model.add_vertex((1, 0, 0)), model.add_vertex((1, 0, 1.5))
@@ -36,12 +38,17 @@ class Model:
     @classmethod
     def joined(cls, surfaces: Sequence[SurfaceLike], domains: Optional[Sequence[Tuple[Range, Range]]] = None,
                tolerance: float = 0) -> "Model":
-        """The model of surfaces over rectangles. Sides that are the same curve in space become one edge, so that the mesh has no crack there.
+        """The model of surfaces over rectangles.
 
+        Sides that are the same curve in space become one edge, so that the mesh has no crack there.
         ``domains`` has the rectangle of each surface; it is not needed for surfaces that have one, such as Bezier patches. Two
         sides of one surface may be the same, too: it is closed then, like a torus. ``tolerance`` is how far apart points may be
         that are to be one; by default 1e-9 of the diagonal.
         """
+        if len(surfaces) == 0:
+            raise ValueError("the list of surfaces is empty")
+        if domains is not None and len(domains) != len(surfaces):
+            raise ValueError(f"there are {len(surfaces)} surfaces, but {len(domains)} domains: give a pair of ranges for each surface")
         made = [_surface(surface, None if domains is None else domains[i]) for i, surface in enumerate(surfaces)]
         rectangles = []
         for i, surface in enumerate(made):
@@ -60,6 +67,7 @@ class Model:
     def patch(cls, surface: SurfaceLike, boundary: LoopLike, holes: Sequence[LoopLike] = ()) -> "Model":
         """The model of one surface, over the domain inside a loop, without the holes."""
         made = _surface(surface, None)
+        _check_holes(holes)
         result = cls.__new__(cls)
         with sentences():
             result._core = _core.SurfaceModel.patch(made._core, [_loop(loop) for loop in (boundary, *holes)])
@@ -68,10 +76,16 @@ class Model:
 
     def add_vertex(self, point: Sequence[float]) -> int:
         """Adds a point in space; returns its index."""
-        return self._core.add_vertex([float(x) for x in point])
+        try:
+            x, y, z = point
+            return self._core.add_vertex([float(x), float(y), float(z)])
+        except (TypeError, ValueError):
+            raise ValueError(f"a vertex is a point (x, y, z), three numbers, not {point!r}") from None
 
     def add_edge(self, source: int, target: int, *, collapsed: bool = False, max_edge: float = 0) -> int:
         """Adds an edge between two vertices; returns its index. A collapsed one is a point, such as a pole."""
+        _check_index(source, "the source of an edge", "add_vertex()")
+        _check_index(target, "the target of an edge", "add_vertex()")
         with sentences():
             return self._core.add_edge(source, target, collapsed, max_edge)
 
@@ -86,8 +100,11 @@ class Model:
         for loop in loops:
             uses.append([])
             for use in loop:
-                if len(use) not in (2, 3) or (len(use) == 3 and use[2] not in ("reversed", "forward")):
-                    raise ValueError("an edge of a loop is (edge, curve) or (edge, curve, 'reversed')")
+                if (not isinstance(use, (tuple, list)) or len(use) not in (2, 3) or not isinstance(use[1], Curve)
+                        or (len(use) == 3 and use[2] not in ("reversed", "forward"))):
+                    raise ValueError("loops are lists of (edge, curve) or (edge, curve, 'reversed'), with a Curve in the domain of the "
+                                     f"face, not of {use!r}")
+                _check_index(use[0], "an edge of a loop", "add_edge()")
                 uses[-1].append((use[0], len(use) == 3 and use[2] == "reversed", use[1]._core))
         self._kinds.append(made.how)
         return self._core.add_face(made._core, uses, reversed, max_edge)
@@ -151,7 +168,7 @@ def mesh_surface(surface: SurfaceLike, domain: Any = None, *, holes: Sequence[Lo
         A rectangle, ``((u_min, u_max), (v_min, v_max))``; or a loop: a list of three or more points, a ``Curve`` that closes, such as
         ``Curve.circle((0, 0), 1)``, or a list of curves. A surface with a domain of its own, such as a Bezier patch, needs none.
     holes
-        Loops that are cut out.
+        Loops that are cut out. A hole around the middle of a rectangle, where the surface is not finite, needs ``closed=False``.
     derivatives
         For a function that is no formula: another one that returns its derivatives by u, v, uu, uv and vv.
     closed
@@ -201,6 +218,7 @@ def mesh_surface(surface: SurfaceLike, domain: Any = None, *, holes: Sequence[Lo
         model = Model.patch(made, _corners(rectangle), holes)
     else:
         model = Model.joined([made], [rectangle])
+        _check_holes(holes)
         for hole in holes:
             model.add_hole(0, hole)
     return model.mesh(max_edge=max_edge, min_edge=min_edge, gamma=gamma, distance=distance, angle=angle, size=size, growth=growth,
@@ -228,11 +246,20 @@ def _criteria(given: dict) -> _core.Criteria:
         if name not in _CRITERIA:
             raise TypeError(f"'{name}' is no criterion; there are {', '.join(_CRITERIA)}, size, progress and time_limit")
         if value is not None:
+            if name == "threads" and isinstance(value, int) and not 1 <= value <= 1024:
+                raise ValueError("threads: the number must be at least 1 and at most 1024")
             try:
                 setattr(result, name, value)
             except TypeError:
-                raise TypeError(f"{name}: {value!r} is not what this is to be; see help(mesh_surface)") from None
+                kind = {"sweeps": "a whole number that is at least 0", "threads": "a whole number that is at least 1",
+                        "self_intersections": "'refine', 'report' or 'ignore'"}.get(name, "a number")
+                raise TypeError(f"{name}: {value!r} must be {kind}") from None
     return result
+
+
+def _check_index(index: Any, what: str, source: str) -> None:
+    if not isinstance(index, (int, np.integer)) or index < 0:
+        raise ValueError(f"{what} is an index that {source} has returned, not {index!r}")
 
 
 def _surface(surface: SurfaceLike, domain: Optional[Tuple[Range, Range]], derivatives: Optional[Callable[..., Any]] = None) -> Surface:
@@ -245,7 +272,7 @@ def _surface(surface: SurfaceLike, domain: Optional[Tuple[Range, Range]], deriva
 
 def _rectangle_in(domain: Any) -> Optional[Tuple[Range, Range]]:
     """The domain, if it is a pair of ranges."""
-    if domain is None or isinstance(domain, (Curve, str)) or len(domain) != 2 or any(isinstance(side, Curve) for side in domain):
+    if not hasattr(domain, "__len__") or isinstance(domain, str) or len(domain) != 2 or any(isinstance(side, Curve) for side in domain):
         return None
     return checked_rectangle(domain)
 
@@ -255,15 +282,21 @@ def _corners(rectangle: Tuple[Range, Range]) -> List[Point2]:
     return [(u_min, v_min), (u_max, v_min), (u_max, v_max), (u_min, v_max)]
 
 
+def _check_holes(holes: Any) -> None:
+    if isinstance(holes, (Curve, str)) or not hasattr(holes, "__iter__"):
+        raise ValueError("holes: they are a list of loops, in brackets even if there is one")
+
+
 def _loop(loop: LoopLike) -> List[_core.Curve]:
     if isinstance(loop, Curve):
         return [loop._core]
-    if len(loop) > 0 and all(isinstance(curve, Curve) for curve in loop):
-        return [curve._core for curve in loop]  # type: ignore[union-attr]
     try:
+        if len(loop) > 0 and all(isinstance(curve, Curve) for curve in loop):
+            return [curve._core for curve in loop]  # type: ignore[union-attr]
         points = [point2(point) for point in loop]
     except (TypeError, ValueError):
         points = []
     if len(points) < 3:
-        raise ValueError("a loop is a list of three or more points, a Curve that closes, or a list of Curves, each beginning where the one before ends")
+        raise ValueError("a loop is a list of three or more points (u, v), a Curve that closes, or a list of Curves, each beginning where "
+                         f"the one before ends, not {loop!r}")
     return [_core.Curve.segment(points[i], points[(i + 1) % len(points)]) for i in range(len(points))]

@@ -56,7 +56,8 @@ def _plot_with_matplotlib(mesh: "Mesh", values: Optional[np.ndarray], color_by: 
     try:
         import matplotlib.pyplot as plt  # type: ignore
     except ImportError:
-        raise ImportError("plot() needs PyVista or Matplotlib; 'pip install pyvista' or the Debian package python3-matplotlib gets one") from None
+        raise ImportError("plot() needs PyVista or Matplotlib; 'pip install pyvista' or the Debian package python3-matplotlib gets "
+                          "one") from None
     axes = plt.figure().add_subplot(projection="3d")
     options = {"edgecolor": "black", "linewidth": 0.2, "color": "lightgray", **options}
     if values is not None:

@@ -93,6 +93,10 @@ class Surface:
         """
         points = _control_net(control_points)
         n, m, _ = points.shape
+        for degree, number, direction in ((degrees[0], n, "u"), (degrees[1], m, "v")):
+            if number <= degree:
+                raise ValueError(f"the degree {degree} in {direction} needs at least {degree + 1} control points in this direction, not "
+                                 f"{number}")
         if knots is None:
             knots = (_uniform_knots(n, degrees[0]), _uniform_knots(m, degrees[1]))
         weight_list: List[float] = []
@@ -138,6 +142,8 @@ class Curve:
                 self._core = _core.Curve.formula(formula, begin, end)
             elif callable(function):
                 self._core = _core.Curve.function(CalledFunction(function, ((begin, end),), 2).jet, begin, end)
+            else:
+                raise TypeError(f"a curve is made from a text or a function, not from {type(function).__name__}")
 
     @classmethod
     def _of_core(cls, core: _core.Curve) -> "Curve":
@@ -187,8 +193,11 @@ def checked_rectangle(domain: Any) -> Tuple[Range, Range]:
 
 
 def point2(point: Any) -> List[float]:
-    u, v = point
-    return [float(u), float(v)]
+    try:
+        u, v = point
+        return [float(u), float(v)]
+    except (TypeError, ValueError):
+        raise ValueError(f"a point of the domain is (u, v), two numbers, not {point!r}") from None
 
 
 def _control_net(control_points: Any) -> np.ndarray:
@@ -199,7 +208,7 @@ def _control_net(control_points: Any) -> np.ndarray:
 
 
 def _rows(points: np.ndarray) -> List[List[float]]:
-    """Those of the first v first, in the order of growing u."""
+    """The control points in rows: those of the first v first, in the order of growing u."""
     return points.transpose(1, 0, 2).reshape(-1, 3).tolist()
 
 

@@ -3,6 +3,7 @@
 """What meshing has in common for formulas and files: sizes, progress, and interrupts."""
 from __future__ import annotations
 
+import numbers
 import signal
 import threading
 from typing import Any, Callable, Optional, Tuple, Union
@@ -23,7 +24,7 @@ def size_for_core(size: Optional[Size]) -> Any:
     if isinstance(size, str):
         return read_formula(size, ("x", "y", "z"), 1)
     if not callable(size):
-        raise TypeError("size: a wanted edge length is a text or a function of (x, y, z)")
+        raise TypeError("size: a wanted edge length is a number, or a text or a function of (x, y, z)")
     return trace(size, ("x", "y", "z"), 1) or size
 
 
@@ -34,8 +35,10 @@ def handles_interrupts() -> bool:
 
 def run(mesh: Callable[..., Tuple[Any, bool]], what: Any, progress: Optional[Progress], size: Any,
         time_limit: Optional[float]) -> Tuple[Any, bool]:
-    """The mesh, and whether it was interrupted."""
-    if time_limit is not None and not time_limit >= 0:
-        raise ValueError("time_limit: seconds must be at least 0")
+    """Calls a meshing function of the compiled part; returns the mesh, and whether it was interrupted."""
+    if time_limit is not None and not (isinstance(time_limit, numbers.Real) and time_limit >= 0):
+        raise ValueError(f"time_limit: {time_limit!r} must be a number of seconds that is at least 0")
+    if progress is not None and not callable(progress):
+        raise TypeError("progress: it must be a function of the name of a phase and a number of vertices")
     with sentences():
         return mesh(what, progress, size, time_limit, handles_interrupts())

@@ -239,8 +239,8 @@ double largest_distance(const Data& data)
 }
 
 template <class Places>
-CGAL::Parametric_surface_mesh_report make_mesh(const Model& model, const Criteria& given, const CGAL::Parametric_surface_mesh_criteria& criteria,
-                                               Mesh& mesh, const Places& places)
+CGAL::Parametric_surface_mesh_report make_mesh(const Model& model, const Criteria& given,
+                                               const CGAL::Parametric_surface_mesh_criteria& criteria, Mesh& mesh, const Places& places)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, (std::max)(given.threads, 1u));

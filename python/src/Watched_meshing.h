@@ -119,9 +119,19 @@ private:
       };
     else if(!m_size.is_none())
       result.size = [this](double x, double y, double z) {
-        return guarded([&] { return m_size(x, y, z).cast<double>(); });
+        return guarded([&] { return number_of(m_size(x, y, z)); });
       };
     return result;
+  }
+
+  static double number_of(const pybind11::object& size)
+  {
+    try {
+      return size.cast<double>();
+    }
+    catch(const pybind11::cast_error&) {
+      throw pybind11::type_error("size: the function must return a number, but returned " + pybind11::repr(size).cast<std::string>());
+    }
   }
 
   bool goes_further() const { return !m_is_stopped && !m_interrupt.is_interrupted() && !(m_end && Clock::now() > *m_end); }

@@ -42,7 +42,8 @@ public:
 
   Surface_jet jet(double u, double v) const
   {
-    const std::array<Number_with_derivatives, 2> variables = {Number_with_derivatives::first_variable(u), Number_with_derivatives::second_variable(v)};
+    const std::array<Number_with_derivatives, 2> variables
+      = {Number_with_derivatives::first_variable(u), Number_with_derivatives::second_variable(v)};
     const auto p = m_formula->evaluate<3>(variables, m_numbers_with_derivatives);
     return {Point_3(p[0].value, p[1].value, p[2].value), Vector_3(p[0].du, p[1].du, p[2].du), Vector_3(p[0].dv, p[1].dv, p[2].dv),
             Vector_3(p[0].duu, p[1].duu, p[2].duu), Vector_3(p[0].duv, p[1].duv, p[2].duv), Vector_3(p[0].dvv, p[1].dvv, p[2].dvv)};
@@ -97,7 +98,8 @@ Surface Surface::function(std::function<Triple(double, double)> point, std::func
 
 Surface Surface::bezier(int degree_u, int degree_v, const std::vector<Triple>& control_points)
 {
-  return Surface(std::make_shared<Data>(Data{CGAL::Bezier_surface_3<Kernel>(degree_u, degree_v, to_points(control_points)), Rectangle{0, 1, 0, 1}}));
+  const CGAL::Bezier_surface_3<Kernel> bezier(degree_u, degree_v, to_points(control_points));
+  return Surface(std::make_shared<Data>(Data{bezier, Rectangle{0, 1, 0, 1}}));
 }
 
 Surface Surface::b_spline(int degree_u, int degree_v, const std::vector<double>& knots_u, const std::vector<double>& knots_v,
@@ -145,8 +147,8 @@ Curve Curve::formula(const Formula& formula, double begin, double end)
 {
   if(formula.number_of_results() != 2)
     throw std::invalid_argument("the formula of a curve must have two coordinates, but has " + std::to_string(formula.number_of_results()));
-  const auto jet = [formula](double t) { // by several threads
-    std::vector<Number_with_derivatives> registers;
+  const auto jet = [formula](double t) {
+    std::vector<Number_with_derivatives> registers; // of this call: several threads may call it at the same time
     const auto p = formula.evaluate<2>(std::array<Number_with_derivatives, 1>{Number_with_derivatives::first_variable(t)}, registers);
     return Domain_curve::Jet{Point_2(p[0].value, p[1].value), Vector_2(p[0].du, p[1].du), Vector_2(p[0].duu, p[1].duu)};
   };

@@ -27,7 +27,9 @@ class Errors(unittest.TestCase):
                 (b"DBRep_DrawableShape\n", {}, psm.MeshingError, "BREP"), (17, {}, TypeError, "neither a path"),
                 ("x.step", {"max_edge": -1}, psm.MeshingError, "^max_edge: "), ("x.step", {"maxedge": 1}, TypeError, "no argument 'maxedge'"),
                 ("x.step", {"out": "y"}, TypeError, "no argument 'out'"), ("x.step", {"detail": 1, "keep_detail": True}, psm.MeshingError, "keep_detail"),
-                ("x.step", {"size": "x +"}, psm.FormulaError, "cannot be read")):
+                ("x.step", {"size": "x +"}, psm.FormulaError, "cannot be read"), ("x.step", {"faces": []}, ValueError, "^faces: it is empty"),
+                ("x.step", {"heal": "yes"}, psm.MeshingError, "^heal must be True or False"),
+                (b"ISO-10303-21;\nnothing", {}, psm.MeshingError, "cannot read the given shape.step")):
             with self.assertRaisesRegex(error, hint, msg=f"{source!r} {options}"):
                 psm.mesh_cad(source, **options)
 
@@ -56,6 +58,8 @@ class Cad_file(unittest.TestCase):
         self.assertEqual(len(mesh.triangles_of(3)), (mesh.face_ids == 3).sum())
         with self.assertRaisesRegex(KeyError, "the product name"):
             mesh.triangles_of("nothing")
+        with self.assertRaisesRegex(psm.MeshingError, "listed by the program's --list"):
+            psm.mesh_cad(LINKRODS, faces="nothing")
         self.assertIn("37 faces", mesh.summary())
         json.dumps(mesh.report)
 

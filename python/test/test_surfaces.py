@@ -165,6 +165,35 @@ class Formulas(unittest.TestCase):
             psm.mesh_surface(HILL)
         with self.assertRaisesRegex(TypeError, "no criterion"):
             psm.Model.joined([HILL], [SQUARE]).mesh(maxedge=1)
+        with self.assertRaisesRegex(psm.FormulaError, "nested too deeply"):
+            psm.mesh_surface("u, v, " + " + ".join(["u"] * 5000), SQUARE)
+
+    def test_errors_of_what_is_not_a_formula_are_sentences(self):
+        circle, zero = psm.Curve.circle((0, 0), 0.5), (0, 0, 0)
+        for action, error, hint in (
+                (lambda: psm.Curve(3, 0, 1), TypeError, "^a curve is made from"),
+                (lambda: psm.Curve.segment((0, 0, 1), (1, 1)), ValueError, r"is \(u, v\)"),
+                (lambda: psm.mesh_surface(HILL, 3), ValueError, "^a loop is"),
+                (lambda: psm.mesh_surface(HILL, SQUARE, holes=circle), ValueError, "^holes: "),
+                (lambda: psm.mesh_surface(HILL, SQUARE, threads=0), ValueError, "^threads: "),
+                (lambda: psm.mesh_surface(HILL, SQUARE, sweeps=2.5), TypeError, "^sweeps: 2.5 must be a whole number"),
+                (lambda: psm.mesh_surface(HILL, SQUARE, time_limit="1"), ValueError, "^time_limit: "),
+                (lambda: psm.mesh_surface(HILL, SQUARE, progress=3), TypeError, "^progress: "),
+                (lambda: psm.mesh_surface(HILL, SQUARE, size=lambda x, y, z: "small"), TypeError, "^size: .* 'small'$"),
+                (lambda: psm.mesh_surface("u, v, log(u*u + v*v)", SQUARE), psm.MeshingError, r"^patch 1: .* \(0, 0\)$"),
+                (lambda: psm.mesh_surface(lambda u, v: (u, v, 1j * float(u)), SQUARE), TypeError, "real numbers"),
+                (lambda: psm.mesh_surface(lambda u, v: (u, v, float(u)), SQUARE, derivatives=lambda u, v: ((1, 0),) + 4 * (zero,)),
+                 TypeError, "3 coordinates, but one has 2"),
+                (lambda: psm.mesh_patches([], []), ValueError, "empty"),
+                (lambda: psm.mesh_patches([HILL, HILL], [SQUARE]), ValueError, "2 surfaces, but 1 domains"),
+                (lambda: psm.mesh_patches([HILL], [SQUARE], tolerance=-1), psm.MeshingError, "tolerance"),
+                (lambda: psm.Surface.nurbs(np.zeros((3, 3, 3)), (5, 2)), ValueError, "at least 6 control points"),
+                (lambda: psm.Model().add_vertex((1, 2)), ValueError, r"\(x, y, z\)"),
+                (lambda: psm.Model().add_edge(-1, 0), ValueError, "add_vertex"),
+                (lambda: psm.Model().add_face(HILL, [[(0, "a curve")]]), ValueError, "with a Curve"),
+                (lambda: psm.Model().add_face(HILL, [(0, circle)]), ValueError, "with a Curve")):
+            with self.assertRaisesRegex(error, hint):
+                action()
 
     def test_errors_of_functions_come_back(self):
         def broken(u, v):
@@ -316,8 +345,11 @@ class Files(unittest.TestCase):
             mesh.save(os.path.join(folder, "binary.stl"), binary=True)
             with self.assertRaisesRegex(psm.MeshingError, "must end in"):
                 mesh.save(os.path.join(folder, "hill.xyz"))
-            with self.assertRaisesRegex(psm.MeshingError, "cannot write"):
-                mesh.save(os.path.join(folder, "no", "hill.off"))
+            for name in ("hill.off", "hill.html"):
+                with self.assertRaisesRegex(psm.MeshingError, "cannot write|three.js", msg=name):
+                    mesh.save(os.path.join(folder, "no", name))
+            with self.assertRaisesRegex(psm.MeshingError, "^brep: "):
+                mesh.brep()
 
     def test_notebooks_and_pictures(self):
         mesh = psm.mesh_surface(HILL, SQUARE, max_edge=0.3)

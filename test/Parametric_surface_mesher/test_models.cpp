@@ -5,8 +5,10 @@
 #include <CGAL/B_spline_surface_3.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/IO/read_bezier_patches.h>
+#include <CGAL/Parametric_function_surface_3.h>
 #include <CGAL/Parametric_primitive_surfaces_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Rectangular_patch_3.h>
 #include <CGAL/Triangle_mesh_quality.h>
 #include <CGAL/make_model_of_rectangular_patches.h>
 #include <CGAL/make_parametric_surface_triangle_soup.h>
@@ -21,6 +23,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -342,6 +345,21 @@ TEST(Models, cylinder_with_a_seam)
   const Meshed_model m = mesh_model(model, 0.2);
   expect_topology(m, 1, 2, 0);
   EXPECT_NEAR(2 * turn, m.quality.area, 0.05);
+}
+
+TEST(Models, patches_that_are_not_finite_and_negative_tolerances_are_refused)
+{
+  const auto pole = CGAL::make_parametric_function_surface([](auto u, auto v) {
+    using std::log;
+    return CGAL::parametric_surface_point(u, v, log(u * u + v * v));
+  });
+  typedef CGAL::Rectangular_patch_3<std::decay_t<decltype(pole)>> Patch;
+  const auto make = [&](double v_min, double tolerance) {
+    return [=] { CGAL::make_model_of_rectangular_patches(std::vector<Patch>{Patch(pole, 1, 2, 1, 2), Patch(pole, -1, 1, v_min, 1)}, tolerance); };
+  };
+  expect_refused(make(-1, 0), "patch 2: the surface is not finite at (u,v) = (0, 0)");
+  expect_refused(make(0.5, -1), "the tolerance of patches must be at least 0, and is -1");
+  EXPECT_NO_THROW(make(0.5, 0)());
 }
 
 TEST(Models, errors_name_the_face_and_leave_the_mesh)
