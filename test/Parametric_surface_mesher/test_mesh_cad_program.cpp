@@ -448,7 +448,7 @@ TEST_F(Mesh_cad_program, refuses_what_it_cannot_do)
   expect_refused("garbage.brep --out a.off", "as BREP");
   expect_refused("box.txt --out a.off", "cannot open");
   expect_refused("box.step box.brep", "more than one");
-  expect_refused("box.step --out a.xyz", ".off or .obj");
+  expect_refused("box.step --out a.xyz", "must end in .off, .obj");
   expect_refused("box.step --angle 60", "--angle");
   expect_refused("box.step --max-edge -1", "--max-edge");
   expect_refused("box.step --max-edge 1 --min-edge 2", "--min-edge");

@@ -43,7 +43,8 @@ struct Mesh_cad_options
   std::vector<Point_on_faces> points; // from `point_list`
   std::string curves;                 // a file
   double reach = 0;                   // of points and curves; 0 if not given
-  bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false, is_quiet = false, is_help_wanted = false, is_version_wanted = false, is_list_wanted = false, is_face_list_wanted = false;
+  bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false;
+  bool is_quiet = false, is_help_wanted = false, is_version_wanted = false, is_list_wanted = false, is_face_list_wanted = false;
   bool are_node_parameters_wanted = false, is_binary = false;
   Mesh_callbacks callbacks; // of programs that use mesh_cad as a library
 };
@@ -63,11 +64,11 @@ const char* const conclusion =
   "\n"
   "Faces and edges are counted from 1, as Open CASCADE and Gmsh count them. The files .ply, .vtu,\n"
   ".msh, .inp, .bdf and .unv hold the number of the face of each triangle. Triangles of a solid face\n"
-  "outward. Groups of .msh, .inp, .unv, .med: face_1, edge_1, vertex_1, ...; parts and assemblies by their\n"
-  "names; faces, edges and vertices that have names; color_rrggbb, layer_... A face between two parts\n"
-  "is there once, with common nodes, in all of these, and for both parts in .stl, .ply, .off and .obj.\n"
-  ".stl has a solid for each part, .glb (in metres) a node and .3mf (in millimetres) an object for each\n"
-  "part with its colours.\n"
+  "outward. The files .msh, .inp, .unv and .med have groups: face_1, edge_1, vertex_1, ...; parts and\n"
+  "assemblies by their names; faces, edges and vertices that have names; color_rrggbb; layer_...\n"
+  "A face between two parts is once in a file for a solver, with nodes that both parts share, and twice,\n"
+  "for either part, in .stl, .ply, .off and .obj. A part is a solid of .stl, a node of .glb (in metres)\n"
+  "or an object of .3mf (in millimetres); the latter two have its colours.\n"
   "\n"
   "A face that cannot be meshed is left out and listed with the reason; the others are meshed.\n"
   "A face that is nowhere wider than a millionth of the diagonal is closed up, and listed: it has\n"
@@ -90,12 +91,12 @@ const char* const conclusion =
   "  self_intersections             pairs of faces of one solid, or faces, of which triangles pass through\n"
   "                                 each other: the number of pairs of triangles, a place,\n"
   "                                 and whether the shape itself meets itself there\n"
-  "  folds                          the same of neighbouring triangles that face each other though the\n"
-  "                                 shape does not fold\n"
+  "  folds                          the same for neighbouring triangles that face each other, though the\n"
+  "                                 shape is not folded there\n"
   "  distance                       the largest distance measured from surfaces and edges to the mesh\n"
+  "  distance_over_diagonal         the same as a share of the diagonal of the shape's bounding box\n"
   "  decided_by                     the shares of triangles whose size is decided by the maximum edge,\n"
   "                                 by gamma, by the distance, or by what is around them\n"
-  "  distance_over_diagonal         the same as a share of the diagonal of the shape's bounding box\n"
   "  second_order                   of six-node triangles: their smallest scaled Jacobian (1: straight,\n"
   "                                 0: folded), those not certified, edges curved less to avoid folds,\n"
   "                                 the largest distance of places of triangles from their surfaces\n"
@@ -104,8 +105,8 @@ const char* const conclusion =
   "  imprints                       how far points of --point and curves of --curves were from the faces\n"
   "  repeated_faces                 faces of shells that the file has once more outside of shells\n"
   "  turned_edges                   edges at which the mesh is open since a shell cannot be oriented\n"
-  "  layers                         with --layers, the smallest edge length for it, and whether that is\n"
-  "                                 more than the thinnest places would take\n"
+  "  layers                         with --layers, the smallest edge length that was wanted for it, and\n"
+  "                                 whether the thinnest places would need smaller ones\n"
   "  contacts                       with --conformal, for each two parts that touch, overlap or nearly\n"
   "                                 touch: their names and the area, volume or distance\n"
   "  sewn_edges, lost_faces         pairs of edges joined, and faces lost, by sewing\n"
@@ -114,13 +115,16 @@ const char* const conclusion =
   "  face_list                      each face with its kind, area, centre, direction, radius, part, name\n"
   "  face_names, face_colors, ...   names, colours and layers, by the numbers of faces, edges, ...\n"
   "  largest_gap                    the largest distance of an edge from one of its faces\n"
-  "  seconds                        processor time: reading, model, meshing, measuring\n"
+  "  seconds                        processor time: reading, model, meshing, second_order, measuring,\n"
+  "                                 and looking for intersections\n"
   "\n"
-  "Exit status: 0 if all faces are meshed, or closed up; 1 if some are left out, and the files\n"
-  "are written without them, if the mesh is not closed although the shape is, if the mesh of a\n"
-  "solid intersects itself where the shape does not, or if the mesh is more than 1.5 times as far\n"
-  "from the shape as --distance allows; 2 after an error, which is one line on the standard error\n"
-  "output, and no file is written.\n";
+  "Exit status:\n"
+  "  0  all faces are meshed, or closed up\n"
+  "  1  the files are written, but something is wrong: a face is left out, could not be read or was\n"
+  "     lost by sewing; the mesh is not closed although the shape is; the mesh of a solid intersects\n"
+  "     itself where the shape does not; or the mesh is more than 1.5 times as far from the shape as\n"
+  "     --distance allows\n"
+  "  2  an error, which is one line on the standard error output; no file is written\n";
 
 inline po::options_description described_options(Mesh_cad_options& o)
 {
@@ -128,43 +132,72 @@ inline po::options_description described_options(Mesh_cad_options& o)
   const auto text = [](std::string& target, const char* name) { return po::value<std::string>(&target)->value_name(name); };
   po::options_description criteria("Criteria (default)", 92);
   criteria.add_options()
-    ("fineness", text(o.fineness, "NAME"), "defaults of the options below: coarse (--gamma 0.08 --relative-distance 0.002 --growth 0.2), normal, or fine (--gamma 0.03 --relative-distance 0.000125, edges of at most 1/40 of the diagonal) (normal)")
-    ("elements-per-turn", number(o.elements_per_turn), "edges around a full circle, in place of --gamma: 8 are about a gamma of 0.1, 16 one of 0.05")
+    ("fineness", text(o.fineness, "NAME"),
+     "defaults of the options below: coarse (--gamma 0.08 --relative-distance 0.002 --growth 0.2), normal, or fine (--gamma 0.03 "
+     "--relative-distance 0.000125, edges of at most 1/40 of the diagonal) (normal)")
+    ("elements-per-turn", number(o.elements_per_turn),
+     "edges around a full circle, in place of --gamma: 8 are about a gamma of 0.1, 16 one of 0.05")
     ("max-edge", number(o.max_edge), "wanted edge length where nothing else requires shorter edges (1/20 of the diagonal)")
-    ("min-edge", number(o.min_edge), "edges are not divided into pieces shorter than this (1/1000 of the diagonal, or --max-edge if that is less)")
+    ("min-edge", number(o.min_edge),
+     "edges are not divided into pieces shorter than this (1/1000 of the diagonal, or --max-edge if that is less)")
     ("gamma", number(o.gamma), "largest deviation ratio H/L of an edge: arc height over length (0.05)")
     ("distance", number(o.distance), "largest distance from a surface to its triangles (--relative-distance)")
     ("relative-distance", number(o.relative_distance), "the same as a share of the diagonal of the shape's bounding box (0.0005)")
-    ("detail", number(o.detail), "width of edges, faces and parts of faces that may vanish where they would make small angles; no point moves farther (3/4 of the distance)")
+    ("detail", number(o.detail),
+     "width of edges, faces and parts of faces that may vanish where they would make small angles; no point moves farther (3/4 "
+     "of the distance)")
     ("keep-detail", po::bool_switch(&o.is_detail_kept), "let no detail vanish")
-    ("angle", number(o.angle), "smallest angle in degrees, at least 0 and below 60 (30); refinement goes for no more than 32, improvement for the rest")
+    ("angle", number(o.angle),
+     "smallest angle in degrees, at least 0 and below 60 (30); points are added for up to 32, and a larger angle is left to the "
+     "improvement of the mesh")
     ("closeness", number(o.closeness), "maximum length of a boundary edge, as a multiple of the local width of its face (1.8)")
-    ("growth", number(o.growth), "how fast edges grow away from the boundary of a face, as a share of the distance (0: not at all; 0.1 saves many triangles)")
-    ("face-size", text(o.face_sizes, "F:L,..."), "wanted edge lengths of single faces; 3:0.5 sets 0.5 for face 3. F is a number, the name of faces or that of a part")
-    ("edge-size", text(o.edge_sizes, "E:L,..."), "wanted edge lengths on single edges of the shape. E is a number, the name of edges, or that of faces or a part, for their edges")
+    ("growth", number(o.growth),
+     "how fast edges grow away from the boundary of a face, as a share of the distance (0: not at all; 0.1 saves many triangles)")
+    ("face-size", text(o.face_sizes, "F:L,..."),
+     "wanted edge lengths of single faces; 3:0.5 sets 0.5 for face 3. F is a number, the name of faces or that of a part")
+    ("edge-size", text(o.edge_sizes, "E:L,..."),
+     "wanted edge lengths on single edges of the shape. E is a number, the name of edges, or that of faces or a part, for their "
+     "edges")
     ("local-size", po::value<std::vector<std::string>>(&o.local_list)->value_name("WHERE:L[:G]"),
-     "wanted edge length L in a part of space or near something, growing outside by G of the distance (0.2); WHERE is box:X,Y,Z,X,Y,Z (two corners), sphere:X,Y,Z,R, "
-     "cylinder:X,Y,Z,X,Y,Z,R (the ends of its axis, and the radius), point:X,Y,Z, face:F, edge:E, vertex:V or part:P, with numbers or names; may be given several times, the least length counts")
-    ("sphere-size", po::value<std::vector<std::string>>(&o.sphere_list)->value_name("X,Y,Z,R:L"), "the same as --local-size sphere:X,Y,Z,R:L")
+     "wanted edge length L in a part of space or near something, growing outside by G of the distance (0.2); WHERE is "
+     "box:X,Y,Z,X,Y,Z (two corners), sphere:X,Y,Z,R, "
+     "cylinder:X,Y,Z,X,Y,Z,R (the ends of its axis, and the radius), point:X,Y,Z, face:F, edge:E, vertex:V or part:P, with "
+     "numbers or names; may be given several times, the least length counts")
+    ("sphere-size", po::value<std::vector<std::string>>(&o.sphere_list)->value_name("X,Y,Z,R:L"),
+     "the same as --local-size sphere:X,Y,Z,R:L")
     ("size-field", text(o.size_field, "FILE[:NAME]"),
-     "wanted edge lengths at the nodes of a mesh of triangles or tetrahedra, linear between them, those of the closest point outside: the values called NAME, or the only ones, of a .vtu, .msh, or .mesh with .sol; in the unit of --unit")
-    ("layers", po::value<double>(&o.layers)->value_name("N"), "edges of at most 1/N of the local thickness of walls and width of gaps, as a first mesh without this option shows them; not below --min-edge, or 1/4000 of the diagonal");
+     "wanted edge lengths at the nodes of a mesh of triangles or tetrahedra: the values called NAME, or the only ones, of a "
+     ".vtu, .msh, or .mesh with .sol, in the unit of --unit; linear between the nodes, and outside of the mesh the length at its "
+     "closest point")
+    ("layers", po::value<double>(&o.layers)->value_name("N"),
+     "edges of at most 1/N of the local thickness of walls and width of gaps, as a first mesh without this option shows them; "
+     "not below --min-edge, or 1/4000 of the diagonal");
   criteria.add_options()
     ("self-intersections", text(o.self_intersections, "WHAT"),
-     "triangles of one solid that pass through each other: refine (mesh again with shorter edges there, as far as that helps; list the rest), report or ignore (refine)");
+     "triangles of one solid that pass through each other: refine (mesh again with shorter edges there, as far as that helps; "
+     "list the rest), report or ignore (refine)");
   mesh_patch::add_sweeps(criteria, o.sweeps);
   po::options_description input("Input", 92);
   input.add_options()
     ("faces", text(o.face_list, "LIST"), "mesh these faces only, by numbers or names of faces or parts, for example 1,4,7-9,Flange")
     ("parts", po::value<std::vector<std::string>>(&o.part_lists)->value_name("NAME,..."),
-     "mesh these parts of an assembly only: numbers of --list, names or paths; sizes and distances stay those of the whole; may be given several times")
-    ("unit", text(o.unit, "UNIT"), "unit of lengths, of options and results: UM, MM, CM, M, KM, UIN, MIL, INCH, FT or MI (MM); BREP files have no unit")
+     "mesh these parts of an assembly only: numbers of --list, names or paths; sizes and distances stay those of the whole; may "
+     "be given several times")
+    ("unit", text(o.unit, "UNIT"),
+     "unit of lengths, of options and results: UM, MM, CM, M, KM, UIN, MIL, INCH, FT or MI (MM); BREP files have no unit")
     ("threads", po::value<unsigned int>(&o.threads)->value_name("N"), "number of threads that mesh faces (1)")
-    ("sew", number(o.sewing_tolerance), "join edges of different faces that are at most this far apart; IGES files are sewn by default, 0 turns this off (IGES: 0.00001 of the diagonal, others: 0)")
-    ("conformal", po::bool_switch(&o.is_conformal), "let parts that touch share their faces there, so that their meshes fit together; contacts, overlaps and gaps between parts are listed")
-    ("fuzzy", number(o.fuzzy), "with --conformal, the distance up to which parts that do not quite touch, or overlap, are taken to touch (the tolerances of the file)")
+    ("sew", number(o.sewing_tolerance),
+     "join edges of different faces that are at most this far apart; IGES files are sewn by default, 0 turns this off (IGES: "
+     "0.00001 of the diagonal, others: 0)")
+    ("conformal", po::bool_switch(&o.is_conformal),
+     "let parts that touch share their faces there, so that their meshes fit together; contacts, overlaps and gaps between parts "
+     "are listed")
+    ("fuzzy", number(o.fuzzy),
+     "with --conformal, the distance up to which parts that do not quite touch, or overlap, are taken to touch (the tolerances "
+     "of the file)")
     ("point", po::value<std::vector<std::string>>(&o.point_list)->value_name("X,Y,Z"),
-     "put a point on the face closest to it, to be a vertex of the mesh; may be given several times. Faces and edges are counted after --point and --curves")
+     "put a point on the face closest to it, to be a vertex of the mesh; may be given several times. --point and --curves may "
+     "change the numbers of faces and edges")
     ("curves", text(o.curves, "FILE"), "put the edges of a STEP, IGES or BREP file on the faces close to them, for the mesh to follow")
     ("reach", number(o.reach), "the largest distance of points and curves from the faces (1/50 of the diagonal)")
     ("heal", po::bool_switch(&o.is_healing_wanted), "let Open CASCADE repair the shape first (ShapeFix_Shape)");
@@ -172,11 +205,17 @@ inline po::options_description described_options(Mesh_cad_options& o)
   mesh_patch::add_order(output, o.order);
   mesh_patch::add_page_and_picture(output, o.page, o.picture);
   output.add_options()
-    ("list", po::bool_switch(&o.is_list_wanted), "print the parts of the assembly, their sizes, and what has names, and stop; --json writes them")
-    ("list-faces", po::bool_switch(&o.is_face_list_wanted), "print the same, and each face with its kind, area, centre of gravity, direction (of planes out of the solid), radius, part and name")
-    ("out,o", text(o.out, "FILE"), "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv, .glb, .brep (the shape with the mesh as its triangulation, for Open CASCADE) or, if built with the libraries MED and lib3mf, .med and .3mf")
+    ("list", po::bool_switch(&o.is_list_wanted),
+     "print the parts of the assembly, their sizes, and what has names, write them with --json, and stop")
+    ("list-faces", po::bool_switch(&o.is_face_list_wanted),
+     "print what --list does, and each face with its kind, area, centre of gravity, direction (of planes out of the solid), "
+     "radius, part and name")
+    ("out,o", text(o.out, "FILE"),
+     "the mesh, as .off, .obj, .ply, .stl, .vtu, .msh (.msh2: version 2.2), .inp, .bdf, .unv, .glb, .brep (the shape with the "
+     "mesh as its triangulation, for Open CASCADE) or, if built with the libraries MED and lib3mf, .med and .3mf")
     ("binary", po::bool_switch(&o.is_binary), "write .stl, .off and .ply as binary files; .vtu always is one")
-    ("node-parameters", po::bool_switch(&o.are_node_parameters_wanted), "write the parameters of nodes on edges and faces, too, to .msh (Gmsh reads them, meshio does not) and .vtu")
+    ("node-parameters", po::bool_switch(&o.are_node_parameters_wanted),
+     "write the parameters of nodes on their edges and faces, too, in .msh (Gmsh reads them, meshio does not) and .vtu")
     ("json", text(o.json, "FILE"), "the results in numbers, as .json")
     ("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors")
     ("version", po::bool_switch(&o.is_version_wanted), "print the versions of this program and of its libraries, and stop")

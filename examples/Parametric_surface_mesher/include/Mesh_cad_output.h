@@ -257,12 +257,14 @@ inline void print_inner_elements(std::ostream& out, const CGAL::Open_cascade_mod
     if(edge.reason.empty())
       ++number_of_edges;
     else
-      out << "  edge " << edge.shape_edge + 1 << " lies inside face " << edge.shape_face + 1 << "; the mesh does not follow it: " << edge.reason << "\n";
+      out << "  edge " << edge.shape_edge + 1 << " lies inside face " << edge.shape_face + 1
+          << "; the mesh does not follow it: " << edge.reason << "\n";
   for(const auto& vertex : shape.inner_vertices)
     if(vertex.reason.empty())
       ++number_of_vertices;
     else
-      out << "  vertex " << vertex.shape_vertex + 1 << " lies inside face " << vertex.shape_face + 1 << "; the mesh does not have it: " << vertex.reason << "\n";
+      out << "  vertex " << vertex.shape_vertex + 1 << " lies inside face " << vertex.shape_face + 1
+          << "; the mesh does not have it: " << vertex.reason << "\n";
   if(number_of_edges + number_of_vertices > 0)
     out << "  the mesh follows " << mesh_patch::plural(number_of_edges, "edge") << " and "
         << mesh_patch::plural(number_of_vertices, "vertex", "vertices") << " inside faces\n";
@@ -280,7 +282,7 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
   for(const auto& face : shape.closed_up)
     out << "  face " << closed_up_text(face) << "\n";
   if(!collapsed_edges(shape).empty())
-    out << "  " << mesh_patch::plural(collapsed_edges(shape).size(), "edge") << " collapsed to vertices\n";
+    out << "  " << mesh_patch::plural(collapsed_edges(shape).size(), "short edge became a vertex", "short edges became vertices") << "\n";
   print_inner_elements(out, shape);
   print_imprints(out, result.imprints);
   if(!shape.repeated_faces.empty())
@@ -295,7 +297,8 @@ inline void print_shape(std::ostream& out, const Mesh_cad_result& result)
     out << "  " << mesh_patch::plural(result.number_of_lost_faces, "face") << " LOST BY SEWING\n";
   print_gaps(out, result);
   if(shape.number_of_rebuilt_curves > 0)
-    out << "  " << mesh_patch::plural(shape.number_of_rebuilt_curves, "curve") << " of the file missing or wrong in the domain of a face, and projected\n";
+    out << "  " << mesh_patch::plural(shape.number_of_rebuilt_curves, "curve")
+        << " of the file missing or wrong in the domain of a face, and projected anew\n";
   if(shape.number_of_joined_vertices > 0)
     out << "  " << mesh_patch::plural(shape.number_of_joined_vertices, "vertex", "vertices")
         << " joined to others, within their tolerances\n";
@@ -348,12 +351,11 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
         << mesh_patch::plural(m.sliver_faces.size(), "sliver face") << "\n";
   if(options.layers > 0)
     out << "  " << options.layers << " layers: edges of " << result.layers.smallest_length << " and more"
-        << (result.layers.is_limited ? "; fewer layers where there is less room than these take (--min-edge)" : "") << "\n";
+        << (result.layers.is_limited ? "; thinner places have fewer layers (--min-edge)" : "") << "\n";
   if(result.report.number_of_edges_added_to_thin_strips > 0)
     out << "  " << mesh_patch::plural(result.report.number_of_edges_added_to_thin_strips, "edge")
         << " more along faces so narrow that edges there are shorter than the minimum edge\n";
-  out << "  distance from the shape: at most " << m.distance << " (" << m.distance / result.shape.diagonal
-      << " of its diagonal)";
+  out << "  distance from the shape: at most " << m.distance << " (" << m.distance / result.shape.diagonal << " of its diagonal)";
   const double rounding = 1e-6;
   if(share_of_allowed_distance(result) > 1 + rounding)
     out << ", MORE THAN THE BOUND OF " << *result.criteria.distance();
@@ -362,8 +364,8 @@ inline void print_summary(std::ostream& out, const Mesh_cad_options& options, co
     mesh_patch::print_second_order(out, *result.second_order);
   print_deciding_bound(out, result.deciding_bounds);
   mesh_patch::print_unmet(out, result.report);
-  out << "  " << result.meshing_seconds << " s for meshing (reading " << result.reading_seconds << ", model "
-      << result.model_seconds << ", measuring " << result.measuring_seconds << ", looking for intersections " << result.intersections_seconds << ")\n";
+  out << "  " << result.meshing_seconds << " s for meshing (reading " << result.reading_seconds << ", model " << result.model_seconds
+      << ", measuring " << result.measuring_seconds << ", looking for intersections " << result.intersections_seconds << ")\n";
 }
 
 // What --list or --list-faces asks for.

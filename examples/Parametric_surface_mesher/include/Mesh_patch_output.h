@@ -52,7 +52,8 @@ inline Mesh domain_mesh(const Mesh_patch_result& result)
   return mesh;
 }
 
-inline void write_picture(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_options& options, const Mesh_patch_result& result)
+inline void write_picture(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_options& options,
+                          const Mesh_patch_result& result)
 {
   write_picture(out, options.picture, result.page, input.name);
 }

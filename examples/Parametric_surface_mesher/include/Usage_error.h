@@ -51,7 +51,7 @@ inline void check_ending(const std::string& option, const std::string& file_name
   for(const std::string& ending : endings) {
     if(has_ending(file_name, ending))
       return;
-    list += (list.empty() ? "" : " or ") + ending;
+    list += (list.empty() ? "" : &ending == &endings.back() ? " or " : ", ") + ending;
   }
   throw Usage_error("--" + option + ": the file name " + file_name + " must end in " + list);
 }

@@ -28,8 +28,10 @@ inline void add_page_and_picture(po::options_description& options, std::string& 
 {
   options.add_options()
     ("page", po::value<std::string>(&page)->value_name("FILE"),
-     "a page to look at in a browser, as .html: the mesh can be turned and cut, is coloured by face, angle, distance and more, and shows what was not met")
-    ("picture", po::value<std::string>(&picture)->value_name("FILE"), "a picture of the mesh, as .png, or for small meshes as .svg, which is painted back to front");
+     "a page to look at in a browser, as .html: the mesh can be turned and cut, is coloured by face, angle, distance and more, "
+     "and shows what was not met")
+    ("picture", po::value<std::string>(&picture)->value_name("FILE"),
+     "a picture of the mesh, as .png, or for small meshes as .svg, which is painted back to front");
 }
 
 } // namespace mesh_patch

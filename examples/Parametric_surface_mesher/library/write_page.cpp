@@ -14,8 +14,8 @@ void check_page(const std::string& file_name)
 {
 #ifndef CGAL_PARAMETRIC_SURFACE_MESHER_USE_PAGE
   if(!file_name.empty())
-    throw Usage_error("--page: this program was built without three.js; install it (libjs-three of Debian and Ubuntu, or npm install three@0.147), configure "
-                      "and build again");
+    throw Usage_error("--page: this program was built without three.js; install it (libjs-three of Debian and Ubuntu, or "
+                      "npm install three@0.147), configure and build again");
 #else
   (void)file_name;
 #endif
