@@ -1,8 +1,9 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A loop of a solver and its estimate of the error: mesh, solve, estimate, and mesh again with shorter edges where the error is too large. Here, the solution is a
-// known function on the teapot, hot at the tip of its spout; a solver would compute it. Faces where nothing changes keep their triangles and are not meshed again.
+// A loop of a solver and its estimate of the error: mesh, solve, estimate, and mesh again with shorter edges where the error is too large.
+// Here, the solution is a known function on the teapot, hot at the tip of its spout; a solver would compute it.
+// Faces where nothing changes keep their triangles and are not meshed again.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/read_bezier_patches.h>
 #include <CGAL/Interpolated_sizing_field_3.h>
@@ -62,7 +63,8 @@ std::vector<Element> elements(const Mesh& mesh, const Mesh::Property_map<Mesh::V
   return result;
 }
 
-// As Zienkiewicz and Zhu: how far the gradient of each element is from the smoother one that has the mean of its elements at each node, times the length.
+// The estimate of Zienkiewicz and Zhu: at each node, the gradient is averaged over the elements around it. The error of an element is
+// the difference between its own gradient and the mean of those of its nodes, times its length.
 std::vector<double> estimated_errors(const Mesh& mesh, const std::vector<Element>& elements)
 {
   std::vector<Vector_3> gradients(mesh.number_of_vertices(), CGAL::NULL_VECTOR);
@@ -82,11 +84,14 @@ std::vector<double> estimated_errors(const Mesh& mesh, const std::vector<Element
   return result;
 }
 
-// The wanted edge lengths at the nodes: the maximum, but for elements with too large an error, which is proportional to the square of the length. Some are longer than
-// was asked for: what counts is the shorter of both.
-CGAL::Node_values_3 wanted_lengths(const Mesh& mesh, const Sizing_field& lengths, const std::vector<Element>& elements, const std::vector<double>& errors)
+// The wanted edge lengths at the nodes: shorter ones where the error of an element is too large, and the longest elsewhere.
+// The error is taken as proportional to the square of the length. An element may be longer than was asked for; the new length is then
+// a share of what was asked for.
+CGAL::Node_values_3 wanted_lengths(const Mesh& mesh, const Sizing_field& lengths, const std::vector<Element>& elements,
+                                   const std::vector<double>& errors)
 {
   const double least_factor = 0.4; // an estimate on a coarse mesh is not trusted any farther
+  const double safety = 0.9;       // the error comes out somewhat below the bound
   CGAL::Node_values_3 result;
   for(const auto v : mesh.vertices())
     result.nodes.push_back({{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()}});
@@ -94,7 +99,7 @@ CGAL::Node_values_3 wanted_lengths(const Mesh& mesh, const Sizing_field& lengths
   for(std::size_t i = 0; i < elements.size(); ++i) {
     const auto& nodes = elements[i].nodes;
     result.triangles.push_back({{std::size_t(nodes[0]), std::size_t(nodes[1]), std::size_t(nodes[2])}});
-    const double factor = (std::max)(least_factor, 0.9 * std::sqrt(bound_of_error / errors[i]));
+    const double factor = (std::max)(least_factor, safety * std::sqrt(bound_of_error / errors[i]));
     if(errors[i] > bound_of_error)
       for(const auto v : nodes)
         result.values[v] = (std::min)({result.values[v], factor * elements[i].length, factor * lengths(mesh.point(v))});
@@ -104,7 +109,8 @@ CGAL::Node_values_3 wanted_lengths(const Mesh& mesh, const Sizing_field& lengths
 
 int main()
 try {
-  auto model = CGAL::make_model_of_rectangular_patches(CGAL::IO::read_bezier_patches<Kernel>(PARAMETRIC_SURFACE_MESHER_DATA_DIR "/teapot.bpt"));
+  const auto patches = CGAL::IO::read_bezier_patches<Kernel>(PARAMETRIC_SURFACE_MESHER_DATA_DIR "/teapot.bpt");
+  auto model = CGAL::make_model_of_rectangular_patches(patches);
   CGAL::Parametric_surface_mesh_criteria criteria;
   criteria.set_max_edge(longest_edge).set_min_edge(0.005).set_gamma(0.3).set_growth(0.2);
   CGAL::Parametric_surface_mesher::Kept_faces<Kernel> kept_faces;

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Parametric_surface_mesher.h>
 
+#include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
 
 #include <BRepAdaptor_Surface.hxx>
@@ -111,7 +112,8 @@ inline void describe_face(const TopoDS_Face& face, Open_cascade_face_3& result)
 /*!
 \ingroup PkgParametricSurfaceMesherOpenCascade
 
-returns the kind, area and centre of each face of a shape, in the order of `TopExp::MapShapes()`.
+returns the kind, area and centre of each face of a shape, in the order of `TopExp::MapShapes()`. Lengths are in the unit of the shape.
+A face that Open CASCADE cannot measure has a `fault`, and what was found before.
 */
 inline std::vector<Open_cascade_face_3> describe_open_cascade_faces(const TopoDS_Shape& shape)
 {

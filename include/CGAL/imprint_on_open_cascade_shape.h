@@ -46,7 +46,8 @@ struct Imprinted_open_cascade_shape
   };
 
   TopoDS_Shape shape;
-  opencascade::handle<BRepTools_History> history; ///< what has become of solids, faces, edges and vertices; null if there were no points and curves
+  /// what has become of solids, faces, edges and vertices; null if there were no points and curves
+  opencascade::handle<BRepTools_History> history;
   std::vector<Imprint> points; ///< in the order of the given points
   std::vector<Imprint> curves; ///< in the order of `TopExp::MapShapes()` of the edges of the given curves
 };
@@ -55,18 +56,19 @@ struct Imprinted_open_cascade_shape
 \ingroup PkgParametricSurfaceMesherOpenCascade
 
 puts points and curves on the faces of a shape: sensors, welds, lines along which a load acts. Each point is projected onto the closest
-face, and each curve onto the faces that are closest to it, across their edges. Where a curve cuts a face in two these are two faces; else it is an edge, or
-a vertex, inside the face, which the model of the shape has, too, and the mesh follows. Edges of the shape are divided where a curve crosses them. The
-operation is that of `BOPAlgo_Splitter` of Open CASCADE. What is closer to each other than a thousandth of `reach`, and
-than 2e-5 of the diagonal of the shape's bounding box, is taken to meet. The given shape is not changed. Numbers of faces and edges may change.
+face, and each curve onto the faces that are closest to it, across their edges. A curve that cuts a face in two divides it into two faces.
+Other curves become edges inside the face, and points become vertices there. The model of the shape has these, too, and the mesh follows
+them. Edges of the shape are divided where a curve crosses them. The operation is that of `BOPAlgo_Splitter` of Open CASCADE. What is
+closer to each other than a thousandth of `reach`, and than 2e-5 of the diagonal of the shape's bounding box, is taken to meet. The given
+shape is not changed. Faces, edges and vertices may have other numbers in the new shape.
 
 \param shape a shape with faces
 \param points the points
 \param curves a shape with edges, as wires of a file; null for none
 \param reach the largest distance between a point, or a curve, and its projection
 
-\throws Parametric_surface_mesh_error if `reach` is not positive and finite, a point is not finite or farther from the faces than that, a curve has no
-projection within it, or if Open CASCADE fails
+\throws Parametric_surface_mesh_error if `reach` is not positive and finite, if a point is not finite or farther from the faces than
+`reach`, if a curve has no projection within `reach`, or if Open CASCADE fails
 
 \sa `CGAL::make_model_of_open_cascade_shape()`
 \sa `CGAL::carry_over_open_cascade_names()`
@@ -90,7 +92,8 @@ inline Imprinted_open_cascade_shape imprint_on_open_cascade_shape(const TopoDS_S
       TopExp::MapShapes(curves, TopAbs_EDGE, edges);
     for(int i = 1; i <= edges.Extent(); ++i) {
       const bool is_point = BRep_Tool::Degenerated(TopoDS::Edge(edges(i)));
-      imprints.push_back(is_point ? Imprinting::Result() : imprinting.add_curve(TopoDS::Edge(edges(i)), numbered("curve", std::size_t(i) - 1)));
+      imprints.push_back(is_point ? Imprinting::Result()
+                                  : imprinting.add_curve(TopoDS::Edge(edges(i)), numbered("curve", std::size_t(i) - 1)));
     }
     imprinting();
     for(std::size_t i = 0; i < imprints.size(); ++i)

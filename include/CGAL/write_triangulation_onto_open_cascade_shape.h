@@ -29,8 +29,8 @@ What `write_triangulation_onto_open_cascade_shape()` has written.
 struct Open_cascade_triangulation_report
 {
   std::size_t number_of_faces = 0; ///< of the shape that have triangles now
-  /// edges of these faces that got no nodes: the mesh does not follow them all along, since detail was removed there, or since the sphere that they
-  /// lie on was meshed across them
+  /// edges of these faces that got no nodes. The mesh does not follow them all along, since detail was removed there, or since the sphere
+  /// that they lie on was meshed across them
   std::size_t number_of_bare_edges = 0;
 };
 
@@ -38,8 +38,8 @@ struct Open_cascade_triangulation_report
 \ingroup PkgParametricSurfaceMesherOpenCascade
 
 writes the mesh of a shape onto the shape, as the mesher of Open CASCADE does: a `Poly_Triangulation` with parameters of its nodes for
-each face, and a `Poly_PolygonOnTriangulation` for each edge of a face. So what uses them (writers of STL, VRML and glTF, viewers) takes this
-mesh, and `BRepMesh_IncrementalMesh` keeps it unless it is asked for a smaller deflection. The deflection of a face is the measured
+each face, and a `Poly_PolygonOnTriangulation` for each edge of a face. Writers of STL, VRML and glTF, and viewers, then take this mesh,
+and `BRepMesh_IncrementalMesh` keeps it unless it is asked for a smaller deflection. The deflection of a face is the measured
 distance of its triangles from the surface.
 
 Triangulations that the shape has are removed. Of faces that differ in their places alone, as those of a part that an assembly has twice,
@@ -53,6 +53,8 @@ the triangles of the first one count. A face that the mesh is without gets none.
 \param np the maps that `make_parametric_surface_mesh()` has filled: `halfedge_uv_map`, `face_patch_id_map`, `vertex_place_map`,
           `edge_place_map`, and, if it is not the default one, `vertex_point_map`
 \param shape the shape that the model was made of
+
+\throws Parametric_surface_mesh_error if Open CASCADE fails
 */
 template <class TriangleMesh, class NamedParameters>
 Open_cascade_triangulation_report write_triangulation_onto_open_cascade_shape(const Open_cascade_model_3& model, const TriangleMesh& tm,

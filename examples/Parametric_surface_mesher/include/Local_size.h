@@ -28,7 +28,8 @@ struct Local_size
 };
 
 const char* const grammar_of_local_sizes
-  = "box:X,Y,Z,X,Y,Z:L, sphere:X,Y,Z,R:L, cylinder:X,Y,Z,X,Y,Z,R:L, point:X,Y,Z:L, face:F:L, edge:E:L, vertex:V:L or part:P:L, or one of these with :G";
+  = "box:X,Y,Z,X,Y,Z:L, sphere:X,Y,Z,R:L, cylinder:X,Y,Z,X,Y,Z,R:L, point:X,Y,Z:L, face:F:L, edge:E:L, vertex:V:L or part:P:L, "
+    "or one of these with :G";
 
 inline std::vector<std::string> words_between(const std::string& text, char separator)
 {
@@ -43,10 +44,11 @@ inline std::vector<std::string> words_between(const std::string& text, char sepa
 inline bool is_finite_number(const std::string& word, double& value)
 {
   std::istringstream in(word);
-  return word.find_first_of(" \t") == std::string::npos && in >> value && in.peek() == std::istringstream::traits_type::eof() && std::isfinite(value);
+  return word.find_first_of(" \t") == std::string::npos && in >> value && in.peek() == std::istringstream::traits_type::eof()
+         && std::isfinite(value);
 }
 
-// A name may contain colons: it is what is left of one number, or of two.
+// Reads `text`; false if it is not as the grammar says. A name may contain colons: it ends before the last number, or the last two.
 inline bool read_local_size(Local_size& result)
 {
   struct Form
@@ -56,9 +58,10 @@ inline bool read_local_size(Local_size& result)
     std::size_t number_of_lengths;
     bool has_radius;
   };
-  static const Form forms[] = {{"box", Local_size::BOX, 6, false},   {"sphere", Local_size::SPHERE, 4, true}, {"cylinder", Local_size::CYLINDER, 7, true},
-                               {"point", Local_size::POINT, 3, false}, {"face", Local_size::FACE, 0, false},  {"edge", Local_size::EDGE, 0, false},
-                               {"vertex", Local_size::VERTEX, 0, false}, {"part", Local_size::PART, 0, false}};
+  static const Form forms[]
+    = {{"box", Local_size::BOX, 6, false},       {"sphere", Local_size::SPHERE, 4, true}, {"cylinder", Local_size::CYLINDER, 7, true},
+       {"point", Local_size::POINT, 3, false},   {"face", Local_size::FACE, 0, false},    {"edge", Local_size::EDGE, 0, false},
+       {"vertex", Local_size::VERTEX, 0, false}, {"part", Local_size::PART, 0, false}};
   const std::vector<std::string> words = words_between(result.text, ':');
   const auto form = std::find_if(std::begin(forms), std::end(forms), [&](const Form& f) { return f.word == words.front(); });
   if(form == std::end(forms) || words.size() < 3 || !is_finite_number(words.back(), result.length))
@@ -95,7 +98,8 @@ inline Local_size local_size_in(const std::string& option, const std::string& te
   result.option = option;
   result.text = text;
   if(!read_local_size(result))
-    throw Usage_error("--" + option + ": '" + text + "' must be " + grammar_of_local_sizes + ", with a positive length L and a growth G from 0 to 10");
+    throw Usage_error("--" + option + ": '" + text + "' must be " + grammar_of_local_sizes
+                      + ", with a positive length L and a growth G from 0 to 10");
   const auto& x = result.lengths;
   if(result.kind == Local_size::CYLINDER && x[0] == x[3] && x[1] == x[4] && x[2] == x[5])
     throw Usage_error("--" + option + ": both ends of the axis of '" + text + "' are the same point");

@@ -26,7 +26,7 @@ namespace mesh_cad {
 
 typedef std::vector<CGAL::Open_cascade_face_3> Face_list;
 
-// `unit`: in millimetres, that of the lengths
+// The faces of a shape that is in millimetres. `unit`: that of the lengths of the list, in millimetres
 inline Face_list face_list(const TopoDS_Shape& shape, double unit)
 {
   Face_list result = CGAL::describe_open_cascade_faces(shape);
@@ -66,7 +66,8 @@ inline nlohmann::ordered_json json_of_faces(const Face_list& faces, const Names&
 inline void print_faces(std::ostream& out, const Face_list& faces, const Names& names)
 {
   const auto parts = names.parts_of_faces();
-  out << "number        kind        area                              center                  direction      radius  part, name\n" << std::setprecision(4);
+  out << "number        kind        area                              center                  direction      radius  part, name\n"
+      << std::setprecision(4);
   const auto place = [](const std::array<double, 3>& p) {
     const double rounding = 1e-9; // of directions: no -0
     std::ostringstream text;
@@ -77,14 +78,14 @@ inline void print_faces(std::ostream& out, const Face_list& faces, const Names& 
   };
   for(std::size_t f = 0; f < faces.size(); ++f) {
     const auto& face = faces[f];
-    out << std::setw(6) << f + 1 << std::setw(12) << face.kind << std::setw(12) << face.area << std::setw(36) << place(face.center) << std::setw(27)
-        << (face.direction ? place(*face.direction) : "") << std::setw(12);
+    out << std::setw(6) << f + 1 << std::setw(12) << face.kind << std::setw(12) << face.area << std::setw(36) << place(face.center)
+        << std::setw(27) << (face.direction ? place(*face.direction) : "") << std::setw(12);
     if(face.radius)
       out << *face.radius;
     else
       out << "";
-    out << "  " << (parts[f] == Names::none ? "" : names.parts[parts[f]].path) << (names.face_names[f].empty() ? "" : ", '" + names.face_names[f] + "'")
-        << (face.fault.empty() ? "" : "; " + face.fault) << "\n";
+    out << "  " << (parts[f] == Names::none ? "" : names.parts[parts[f]].path)
+        << (names.face_names[f].empty() ? "" : ", '" + names.face_names[f] + "'") << (face.fault.empty() ? "" : "; " + face.fault) << "\n";
   }
 }
 

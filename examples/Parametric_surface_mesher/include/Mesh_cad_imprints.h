@@ -5,6 +5,7 @@
 #ifndef MESH_CAD_IMPRINTS_H
 #define MESH_CAD_IMPRINTS_H
 
+#include "Local_size.h"
 #include "Usage_error.h"
 
 #include <CGAL/IO/read_open_cascade_shape.h>
@@ -19,12 +20,9 @@
 #include <TopoDS_Shape.hxx>
 #include <gp_Pnt.hxx>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -39,23 +37,22 @@ struct Imprint_on_faces
 
 namespace mesh_cad {
 
-// "10,0,2.5"
+// Reads a point like "10,0,2.5".
 inline Point_on_faces point_in(const std::string& item)
 {
-  std::string words = item;
-  const bool has_format = std::count(words.begin(), words.end(), ',') == 2 && words.find_first_of(" \t") == std::string::npos;
-  std::replace(words.begin(), words.end(), ',', ' ');
-  std::istringstream in(words);
+  const std::vector<std::string> words = words_between(item, ',');
   Point_on_faces result{};
-  const bool is_read = has_format && bool(in >> result[0] >> result[1] >> result[2]) && (in >> std::ws).eof();
-  if(!is_read || !std::isfinite(result[0] + result[1] + result[2]))
+  bool is_point = words.size() == result.size();
+  for(std::size_t i = 0; is_point && i < result.size(); ++i)
+    is_point = is_finite_number(words[i], result[i]);
+  if(!is_point)
     throw Usage_error("--point: '" + item + "' must be X,Y,Z");
   return result;
 }
 
 // Gives elements of a shape that have no name a name.
-inline void name_elements(const TopoDS_Shape& shape, TopAbs_ShapeEnum type, const std::vector<TopoDS_Shape>& elements, const std::string& name,
-                          std::vector<std::string>& names)
+inline void name_elements(const TopoDS_Shape& shape, TopAbs_ShapeEnum type, const std::vector<TopoDS_Shape>& elements,
+                          const std::string& name, std::vector<std::string>& names)
 {
   TopTools_IndexedMapOfShape all;
   TopExp::MapShapes(shape, type, all);
@@ -84,7 +81,7 @@ inline void append_imprints(const char* what, const std::vector<CGAL::Imprinted_
 
 const double default_share_of_reach = 0.02; // of the diagonal
 
-// `curves`: a file, if not empty. `faults`: takes what is wrong with it
+// Puts points, and the curves of a file if its name is not empty, on the faces. `faults` takes what is wrong with the file.
 inline CGAL::Imprinted_open_cascade_shape imprint(const TopoDS_Shape& shape, const std::vector<Point_on_faces>& points,
                                                   const std::string& curves, double reach, std::vector<std::string>& faults,
                                                   std::vector<Imprint_on_faces>& imprints)

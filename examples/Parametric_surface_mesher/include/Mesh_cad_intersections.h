@@ -25,7 +25,7 @@ inline bool intersects_itself(const Mesh_cad_result& result)
                      [](const auto& intersection) { return !intersection.is_of_surfaces; });
 }
 
-// Of the two faces, from 1.
+// The numbers of two faces of the model in the shape, from 1.
 inline std::array<std::size_t, 2> numbers_of_faces(const Mesh_cad_result& result, const std::array<std::size_t, 2>& faces)
 {
   return {result.shape.shape_faces[faces[0]] + 1, result.shape.shape_faces[faces[1]] + 1};

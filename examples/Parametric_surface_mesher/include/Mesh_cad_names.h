@@ -42,19 +42,21 @@ protected:
 public:
   const char* kind() const { return m_kind; }
 
-  // Those that a number, or two with a dash between, stands for.
+  // The indices that a number, or two numbers with a dash between, stand for.
   Indices numbered(const std::string& option, const std::string& word) const
   {
     const bool is_number = !word.empty() && word.find_first_not_of("0123456789-") == std::string::npos;
     if(!is_number)
-      throw Usage_error("--" + option + ": there is no " + m_kind + " '" + word + "'; names are listed by --list, numbers go from 1 to " + std::to_string(m_number));
+      throw Usage_error("--" + option + ": there is no " + m_kind + " '" + word + "'; names are listed by --list, numbers go from 1 to "
+                        + std::to_string(m_number));
     const std::size_t dash = word.find('-');
     const std::size_t first = positive_number(option, word.substr(0, dash)),
                       last = dash == std::string::npos ? first : positive_number(option, word.substr(dash + 1));
     if(last < first)
       throw Usage_error("--" + option + ": '" + word + "' must be a number, or two ascending numbers with a dash between");
     if(last > m_number)
-      throw Usage_error("--" + option + ": there is no " + m_kind + " " + std::to_string(last) + ", the shape has " + mesh_patch::plural(m_number, m_kind));
+      throw Usage_error("--" + option + ": there is no " + m_kind + " " + std::to_string(last) + ", the shape has "
+                        + mesh_patch::plural(m_number, m_kind));
     Indices result;
     for(std::size_t i = first; i <= last; ++i)
       result.insert(i - 1);
@@ -77,7 +79,9 @@ class Named_faces : public Named_entities
   const Names& m_names;
 
 public:
-  Named_faces(const Names& names, const CGAL::Open_cascade_model_3& shape) : Named_entities("face", shape.number_of_shape_faces), m_names(names) {}
+  Named_faces(const Names& names, const CGAL::Open_cascade_model_3& shape)
+    : Named_entities("face", shape.number_of_shape_faces), m_names(names)
+  {}
 
   Indices called(const std::string& word) const
   {
@@ -133,7 +137,7 @@ public:
   Indices called(const std::string& word) const { return with_name(m_names.vertex_names, word); }
 };
 
-// Those with a name or number.
+// The indices of what has a name or, if nothing has, a number.
 template <class Entities>
 Indices indices_of(const Entities& entities, const std::string& option, const std::string& word)
 {
@@ -141,7 +145,7 @@ Indices indices_of(const Entities& entities, const std::string& option, const st
   return result.empty() ? entities.numbered(option, word) : result;
 }
 
-// Those in a list like "1,4,7-9,Flange". Names may contain commas: a list that is a name as a whole is taken for one.
+// The indices in a list like "1,4,7-9,Flange". Names may contain commas: a list that is a name as a whole is taken for one.
 template <class Entities>
 Indices indices_in(const Entities& entities, const std::string& option, const std::string& list)
 {

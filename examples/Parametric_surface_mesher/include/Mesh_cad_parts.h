@@ -43,7 +43,7 @@ inline std::set<std::size_t> parts_with_name(const Names& names, const std::stri
   return result;
 }
 
-// The same, or by the number, from 1.
+// The parts with a name or, if none has it, the one with this number, from 1.
 inline std::set<std::size_t> parts_called(const Names& names, const std::string& word)
 {
   std::set<std::size_t> result = parts_with_name(names, word);

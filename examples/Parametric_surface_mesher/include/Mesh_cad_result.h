@@ -28,9 +28,8 @@
 #include <CGAL/name_mesh_page.h>
 #include <CGAL/repair_open_cascade_shape.h>
 #include <CGAL/sew_open_cascade_shape.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/diagonal_of_shape.h>
 
-#include <BRepBndLib.hxx>
-#include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -155,29 +154,23 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_cad_optio
   return criteria;
 }
 
-// Of the box of a shape; 0 if that is empty or has no end.
-inline double diagonal_of(const TopoDS_Shape& shape)
-{
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, false);
-  return box.IsVoid() || box.IsOpen() ? 0 : std::sqrt(box.SquareExtent());
-}
-
 // The tolerance of sewing, or 0 if the shape is not sewn. By default only IGES files are sewn, whose faces have no common edges.
 inline double sewing_tolerance(const Mesh_cad_options& options, const TopoDS_Shape& shape)
 {
+  using namespace CGAL::Parametric_surface_mesher::internal;
   const double share_of_diagonal = 1e-5;
   if(options.sewing_tolerance >= 0)
     return options.sewing_tolerance;
-  const std::string ending = CGAL::Parametric_surface_mesher::internal::ending_of(options.input);
-  return ending == "iges" || ending == "igs" ? share_of_diagonal * diagonal_of(shape) : 0;
+  const std::string ending = ending_of(options.input);
+  return ending == "iges" || ending == "igs" ? share_of_diagonal * diagonal_of_shape(shape) : 0;
 }
 
 // Parts that are apart by no more than this are listed.
 inline double reach_of_gaps(const Mesh_cad_options& options, const TopoDS_Shape& shape)
 {
   const double share_of_diagonal = 1e-3, multiple_of_fuzzy = 10;
-  return (std::max)(share_of_diagonal * diagonal_of(shape), multiple_of_fuzzy * options.fuzzy);
+  const double diagonal = CGAL::Parametric_surface_mesher::internal::diagonal_of_shape(shape);
+  return (std::max)(share_of_diagonal * diagonal, multiple_of_fuzzy * options.fuzzy);
 }
 
 inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result& result)
@@ -206,7 +199,8 @@ inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result&
     shape = fused.shape;
   }
   if(!options.points.empty() || !options.curves.empty()) {
-    const double reach = options.reach > 0 ? options.reach : default_share_of_reach * diagonal_of(shape);
+    const double diagonal = CGAL::Parametric_surface_mesher::internal::diagonal_of_shape(shape);
+    const double reach = options.reach > 0 ? options.reach : default_share_of_reach * diagonal;
     const auto imprinted = imprint(shape, options.points, options.curves, reach, result.file_faults, result.imprints);
     if(!imprinted.history.IsNull())
       result.names = CGAL::carry_over_open_cascade_names(result.names, shape, imprinted.history, imprinted.shape);

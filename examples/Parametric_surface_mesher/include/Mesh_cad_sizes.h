@@ -66,7 +66,7 @@ class Sizes_near_entities
 {
   typedef Kernel::Point_3 Point_3;
 
-  // What a face or edge may be apart from its triangles or segments, as a share of the length that is wanted there.
+  // The largest distance of a face or edge from its triangles or segments, as a share of the length that is wanted there.
   static constexpr double share_of_length = 0.1;
 
   const Mesh_cad_options& m_options;
@@ -133,7 +133,7 @@ private:
     Indices wanted; // in the model
     for(const std::size_t e : edges)
       wanted.insert(m_shape.model_edges[e].begin(), m_shape.model_edges[e].end());
-    Indices done; // of the edges that have no curve in space, those whose first use is found
+    Indices done; // each edge counts once, by its first use
     std::vector<Kernel::Segment_3> result;
     for(const auto& face : m_shape.model.faces())
       for(const auto& loop : face.loops)
@@ -165,7 +165,9 @@ private:
     const int max_depth = 12; // 32768 segments
     const Point_3 p = curve.point(from), q = curve.point(to);
     const Kernel::Segment_3 segment(p, q);
-    const auto is_far = [&](double share) { return squared_distance(segment, curve.point(from + share * (to - from))) > tolerance * tolerance; };
+    const auto is_far = [&](double share) {
+      return squared_distance(segment, curve.point(from + share * (to - from))) > tolerance * tolerance;
+    };
     if(depth < max_depth && (is_far(0.5) || is_far(0.25) || is_far(0.75))) {
       add_segments(curve, from, 0.5 * (from + to), tolerance, depth + 1, result);
       add_segments(curve, 0.5 * (from + to), to, tolerance, depth + 1, result);
@@ -187,13 +189,12 @@ private:
 inline Graded_field field_of(const Local_size& size, const Sizes_near_entities& near_entities)
 {
   const auto& x = size.lengths;
+  const auto point = [&x](std::size_t first) { return Kernel::Point_3(x[first], x[first + 1], x[first + 2]); };
   switch(size.kind) {
-  case Local_size::BOX:
-    return Graded_field::in_box(Kernel::Iso_cuboid_3(Kernel::Point_3(x[0], x[1], x[2]), Kernel::Point_3(x[3], x[4], x[5])), size.length, size.growth);
-  case Local_size::SPHERE: return Graded_field::in_ball(Kernel::Point_3(x[0], x[1], x[2]), x[3], size.length, size.growth);
-  case Local_size::CYLINDER:
-    return Graded_field::in_cylinder(Kernel::Segment_3(Kernel::Point_3(x[0], x[1], x[2]), Kernel::Point_3(x[3], x[4], x[5])), x[6], size.length, size.growth);
-  case Local_size::POINT: return Graded_field::in_ball(Kernel::Point_3(x[0], x[1], x[2]), 0, size.length, size.growth);
+  case Local_size::BOX: return Graded_field::in_box(Kernel::Iso_cuboid_3(point(0), point(3)), size.length, size.growth);
+  case Local_size::SPHERE: return Graded_field::in_ball(point(0), x[3], size.length, size.growth);
+  case Local_size::CYLINDER: return Graded_field::in_cylinder(Kernel::Segment_3(point(0), point(3)), x[6], size.length, size.growth);
+  case Local_size::POINT: return Graded_field::in_ball(point(0), 0, size.length, size.growth);
   default: return near_entities.field(size);
   }
 }
@@ -208,7 +209,7 @@ inline void check_size(const std::string& option, double length, const CGAL::Par
   throw Usage_error(message.str());
 }
 
-// The edge lengths of a file, by its name or by that with a colon and the name of the values.
+// Reads the edge lengths of a file. `name`: that of the file, which a colon and the name of the values may follow
 inline CGAL::Interpolated_sizing_field_3<Kernel> read_size_field(const std::string& name, double unit)
 {
   const bool is_file = std::ifstream(name).good();
@@ -274,8 +275,8 @@ struct Layers
   bool is_limited = false; // whether the thinnest places would take smaller lengths
 };
 
-// Adds the sizes for layers of elements to those of the model. The first mesh shows what is opposite to what. The minimum edge becomes shorter if it is in the way
-// and was not given.
+// Adds the sizes for layers of elements to those of the model. A first mesh shows what is opposite to what.
+// If the minimum edge was not given, it becomes shorter where the layers take that.
 inline Layers add_layer_sizes(const Mesh_cad_options& options, CGAL::Open_cascade_model_3& shape,
                               CGAL::Parametric_surface_mesh_criteria& criteria)
 {

@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-// Files that are removed if the process is interrupted (SIGINT) or told to end (SIGTERM, SIGHUP) as long as this object exists. There is one at a time.
-// Where a signal is ignored, or handled by the program around, that is left as it is.
+// Files that are removed if the process is interrupted (SIGINT) or told to end (SIGTERM, SIGHUP) as long as this object exists.
+// There must be no more than one such object at a time. A signal that is ignored, or handled by the program around, is left as it is.
 class Unfinished_files
 {
   static constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 
-  // A handler may read memory that does not change meanwhile, and remove files, but little else.
+  // What the handler of the signals reads: it may remove files and read memory that does not change meanwhile, but do little else.
   static inline const char* const* s_names = nullptr;
   static inline volatile std::sig_atomic_t s_number = 0;
 

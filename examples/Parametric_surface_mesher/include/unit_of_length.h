@@ -31,7 +31,7 @@ inline double millimetres_of(const std::string& unit)
   return found->second;
 }
 
-// As it stands behind numbers.
+// The unit as it is written behind numbers, like "mm".
 inline std::string symbol_of_unit(const std::string& unit)
 {
   static const std::map<std::string, std::string> symbols{{"UM", "\u00b5m"}, {"UIN", "\u00b5in"}, {"INCH", "in"}};

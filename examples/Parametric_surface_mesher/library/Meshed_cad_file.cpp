@@ -22,7 +22,8 @@
 
 namespace {
 
-// A single edge at the minimum length may be a little farther off than the distance allows; the summary says so. What is farther off is an error.
+// A single edge at the minimum length may be a little farther off than the distance allows, and the summary says so.
+// What is farther off than this share is an error.
 const double largest_share_of_distance = 1.5;
 
 // Whether the mesh is one of all that the file has, and of what was asked for.
@@ -69,17 +70,14 @@ Mesh_cad_options read_options(std::vector<std::string> arguments)
 // The pieces of edges of the shape. Where pieces of the mesh meet, each of them has one.
 void append_edges(const Mesh_cad_result& result, Mesh_arrays& arrays)
 {
-  std::vector<std::size_t> numbers(result.shape.model.edges().size(), 0); // by edge of the model, from 1
-  for(std::size_t e = result.shape.model_edges.size(); e-- > 0;)
-    for(const std::size_t edge : result.shape.model_edges[e])
-      numbers[edge] = e + 1;
+  const auto shape_edges = CGAL::Parametric_surface_mesher::internal::shape_edges_of_model(result.shape);
   const auto& mesh = result.mesh.mesh;
   for(const auto e : mesh.edges()) {
     const std::size_t edge = result.mesh.edge_place[e].index;
-    if(edge >= numbers.size() || numbers[edge] == 0)
+    if(edge >= shape_edges.size() || shape_edges[edge] == CGAL::Open_cascade_model_3::none)
       continue;
     arrays.edges.push_back({std::size_t(mesh.vertex(e, 0)), std::size_t(mesh.vertex(e, 1))});
-    arrays.edge_ids.push_back(numbers[edge]);
+    arrays.edge_ids.push_back(shape_edges[edge] + 1);
   }
 }
 

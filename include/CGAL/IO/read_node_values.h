@@ -26,8 +26,8 @@ namespace IO {
 \ingroup PkgParametricSurfaceMesherSizing
 
 reads scalar values at the nodes of a mesh, such as the edge lengths that an error estimate of a solver asks for:
-- point data of an unstructured grid of VTK, `.vtu`: as text, binary, or appended; compressed by zlib, if `CGAL_LINKED_WITH_BOOST_IOSTREAMS` is defined (link with the
-target `CGAL::Boost_iostreams_support`);
+- point data of an unstructured grid of VTK, `.vtu`: as text, binary, or appended; compressed by zlib, if
+`CGAL_LINKED_WITH_BOOST_IOSTREAMS` is defined (link with the target `CGAL::Boost_iostreams_support`);
 - node data of an ASCII file of Gmsh, `.msh`, of version 2.2 or 4.1; the last of several steps;
 - an ASCII file `.mesh` of Medit, with its values in a file `.sol` of the same name beside it; either name may be given.
 

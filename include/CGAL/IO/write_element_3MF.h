@@ -22,9 +22,10 @@ namespace IO {
 /*!
 \ingroup PkgParametricSurfaceMesherFiles
 
-writes a mesh as a 3MF file, for 3D printing: an object for each part with its name, and the colours of faces as materials. It is written by the library lib3mf,
-version 1; link with the target `Parametric_surface_mesher::3mf_support`. The triangles of a face between two parts belong to both of them. An object that is not closed is
-a surface for the format. Coordinates are in single precision, and the nodes in the middles of sides are left out.
+writes a mesh as a 3MF file, for 3D printing: an object for each part with its name, and the colours of faces as materials. It is
+written by the library lib3mf, version 1; link with the target `Parametric_surface_mesher::3mf_support`. The triangles of a face between
+two parts belong to both of them. An object that is not closed is a surface for the format. Coordinates are in single precision, and the
+nodes in the middles of sides are left out.
 
 \param file_name the name of the file
 \param mesh the mesh

@@ -86,7 +86,7 @@ public:
   }
 
 private:
-  // That of the face, unless it is in several parts.
+  // The name of the face or, if it is in several parts, that of one of its sheets.
   std::string block_name(std::size_t surface, bool is_in_several_parts) const
   {
     return "FACE_" + std::to_string(m_mesh.surfaces[surface].number)

@@ -119,7 +119,8 @@ inline void read_medit_values(const std::string& file_name, Node_values_builder&
     if(words.count() != 1 || words.count() != 1)
       throw_file_error(file_name, "there are other values at the nodes than one scalar; metric tensors are not read");
     if(number != builder.number_of_nodes())
-      throw_file_error(file_name, "there are " + std::to_string(number) + " values for " + std::to_string(builder.number_of_nodes()) + " nodes");
+      throw_file_error(file_name, "there are " + std::to_string(number) + " values for " + std::to_string(builder.number_of_nodes())
+                                    + " nodes");
     for(std::size_t i = 0; i < number; ++i)
       builder.set_value(i + 1, words.number());
     return;
@@ -127,7 +128,7 @@ inline void read_medit_values(const std::string& file_name, Node_values_builder&
   throw_file_error(file_name, "there are no values at the nodes");
 }
 
-// Of a .mesh and a .sol file.
+// Reads a mesh from a .mesh file, and the values at its nodes from a .sol file.
 inline Node_values_3 read_medit(const std::string& mesh_file_name, const std::string& values_file_name)
 {
   Node_values_builder builder(mesh_file_name);

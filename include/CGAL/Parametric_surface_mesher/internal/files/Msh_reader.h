@@ -143,11 +143,11 @@ private:
 
   void read_element(std::size_t type)
   {
-    const std::size_t line = 1, triangle = 2, quadrilateral = 3, tetrahedron = 4, line_2 = 8, triangle_2 = 9, quadrilateral_2 = 10, tetrahedron_2 = 11,
-                      point = 15, quadrilateral_8 = 16;
-    const std::pair<std::size_t, std::size_t> numbers_of_nodes[] = {{line, 2},          {triangle, 3}, {quadrilateral, 4},    {tetrahedron, 4}, {line_2, 3},
-                                                                   {triangle_2, 6},    {quadrilateral_2, 9}, {tetrahedron_2, 10}, {point, 1},
-                                                                   {quadrilateral_8, 8}};
+    const std::size_t line = 1, triangle = 2, quadrilateral = 3, tetrahedron = 4, line_2 = 8, triangle_2 = 9, quadrilateral_2 = 10,
+                      tetrahedron_2 = 11, point = 15, quadrilateral_8 = 16;
+    const std::pair<std::size_t, std::size_t> numbers_of_nodes[]
+      = {{line, 2},       {triangle, 3},        {quadrilateral, 4},  {tetrahedron, 4}, {line_2, 3},
+         {triangle_2, 6}, {quadrilateral_2, 9}, {tetrahedron_2, 10}, {point, 1},       {quadrilateral_8, 8}};
     std::size_t number = 0;
     for(const auto& of_type : numbers_of_nodes)
       if(of_type.first == type)

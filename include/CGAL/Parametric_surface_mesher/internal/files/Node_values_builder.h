@@ -78,7 +78,7 @@ public:
 
   void set_value(std::size_t number, double value) { m_mesh.values[index(number)] = value; }
 
-  // What has the same corners, whatever its other nodes are.
+  // Adds the triangle with the first three nodes. This and the next functions take an element of any order, whose corners come first.
   void add_triangle(const std::size_t* nodes) { m_mesh.triangles.push_back({{index(nodes[0]), index(nodes[1]), index(nodes[2])}}); }
 
   void add_quadrilateral(const std::size_t* nodes)

@@ -27,7 +27,7 @@ struct Side_of_part
   std::size_t surface;
 };
 
-// In the order of the triangles.
+// The sides of all triangles, in the order of these. A triangle between two parts has one side for each of them.
 inline std::vector<Side_of_part> sides_of_parts(const Element_mesh_3& mesh)
 {
   std::vector<Side_of_part> result;
@@ -42,7 +42,7 @@ inline std::vector<Side_of_part> sides_of_parts(const Element_mesh_3& mesh)
   return result;
 }
 
-// The lists of these by part; the last one is of those without a part.
+// The sides of the triangles, in a list for each part, and in a last one if they are of no part.
 inline std::vector<std::vector<Side_of_part>> sides_by_part(const Element_mesh_3& mesh)
 {
   std::vector<std::vector<Side_of_part>> result(mesh.parts.size() + 1);

@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Writes .3mf files by lib3mf: an object for each part, and a material for each colour. (The functions of CGAL/IO/3MF.h write neither units nor surfaces that are
-// not closed, and no colours of triangles in an interface that is meant for users.)
+// Writes .3mf files by lib3mf: an object for each part, and a material for each colour. The functions of CGAL/IO/3MF.h would not do:
+// they write no units and no open surfaces, and give triangles no colours.
 class Three_mf_writer
 {
   // An object of the library, which is released with this one.
@@ -59,7 +59,8 @@ class Three_mf_writer
   std::map<Color, DWORD> m_indices; // of materials
 
 public:
-  Three_mf_writer(const std::string& file_name, const Element_mesh_3& mesh, double unit) : m_file_name(file_name), m_mesh(mesh), m_unit(unit)
+  Three_mf_writer(const std::string& file_name, const Element_mesh_3& mesh, double unit)
+    : m_file_name(file_name), m_mesh(mesh), m_unit(unit)
   {
     check(NMR::lib3mf_createmodel(&m_model.object));
     check(NMR::lib3mf_model_setunit(m_model.object, NMR::MODELUNIT_MILLIMETER));
@@ -96,7 +97,7 @@ private:
     check(NMR::lib3mf_model_addbuilditem(m_model.object, object.object, nullptr, &item.object));
   }
 
-  // Only such objects are solids for the format; it has a type of its own for others.
+  // For the format, only closed objects are solids; others have a type of their own.
   static bool is_closed(const std::vector<Side_of_part>& sides)
   {
     std::set<std::pair<std::size_t, std::size_t>> edges; // that have no opposite yet
@@ -124,7 +125,8 @@ private:
       }
       triangles.push_back(triangle);
     }
-    check(NMR::lib3mf_meshobject_setgeometry(object.object, vertices.data(), DWORD(vertices.size()), triangles.data(), DWORD(triangles.size())));
+    check(NMR::lib3mf_meshobject_setgeometry(object.object, vertices.data(), DWORD(vertices.size()), triangles.data(),
+                                             DWORD(triangles.size())));
   }
 
   NMR::MODELMESHVERTEX vertex(const Element_mesh_3::Point& p) const
@@ -135,7 +137,7 @@ private:
     return result;
   }
 
-  // If any triangle has one; the others are gray then.
+  // Writes colours if any triangle has one. Those without one are gray then.
   void add_colors(const std::vector<Side_of_part>& sides, const Library_object& object)
   {
     if(std::none_of(sides.begin(), sides.end(), [&](const Side_of_part& side) { return color_of(side).has_value(); }))
@@ -147,11 +149,12 @@ private:
     Library_object properties, default_property;
     check(NMR::lib3mf_meshobject_createpropertyhandler(object.object, &properties.object));
     check(NMR::lib3mf_propertyhandler_setbasematerialarray(properties.object, groups.data(), materials.data()));
-    check(NMR::lib3mf_object_createdefaultpropertyhandler(object.object, &default_property.object)); // which objects with properties must have
+    // Objects with properties must have a default one.
+    check(NMR::lib3mf_object_createdefaultpropertyhandler(object.object, &default_property.object));
     check(NMR::lib3mf_defaultpropertyhandler_setbasematerial(default_property.object, m_materials_id, materials.front()));
   }
 
-  // That of the face, or else of the part.
+  // The colour of the face or, if it has none, that of the part.
   const std::optional<Element_mesh_3::Color>& color_of(const Side_of_part& side) const
   {
     const auto& of_face = m_mesh.surfaces[side.surface].color;
@@ -170,7 +173,7 @@ private:
     std::snprintf(name, sizeof(name), "#%02x%02x%02x", bytes[0], bytes[1], bytes[2]);
     DWORD index = 0;
     check(NMR::lib3mf_basematerial_addmaterialutf8(m_materials.object, name, bytes[0], bytes[1], bytes[2], &index));
-    // without this it is transparent
+    // Without a display colour the material is transparent.
     check(NMR::lib3mf_basematerial_setdisplaycolorrgba(m_materials.object, index, bytes[0], bytes[1], bytes[2], bytes[3]));
     return m_indices[bytes] = index;
   }

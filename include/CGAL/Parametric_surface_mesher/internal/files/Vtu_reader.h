@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Reads point data on an unstructured grid of VTK. Binary data at the end of the file are no XML, and are cut off before it is parsed.
+// Reads point data on an unstructured grid of VTK. Binary data at the end of the file are no XML; they are cut off before it is parsed.
 class Vtu_reader
 {
   typedef boost::property_tree::ptree Tree;
@@ -58,7 +58,8 @@ public:
     }
     if(attribute(m_file, "type") != "UnstructuredGrid")
       throw_file_error(file_name, "it is no unstructured grid of VTK");
-    m_encoding = {file_name, attribute(m_file, "byte_order") == "BigEndian", attribute(m_file, "header_type") == "UInt64", attribute(m_file, "compressor")};
+    m_encoding = {file_name, attribute(m_file, "byte_order") == "BigEndian", attribute(m_file, "header_type") == "UInt64",
+                  attribute(m_file, "compressor")};
   }
 
   Node_values_3 read(const std::string& name)
@@ -146,7 +147,8 @@ private:
       }
     const std::vector<double> values = numbers(*arrays[chosen_values(m_file_name, all, name)]);
     if(values.size() != m_builder.number_of_nodes() - first)
-      throw_file_error(m_file_name, "there are " + std::to_string(values.size()) + " values for " + std::to_string(m_builder.number_of_nodes() - first) + " nodes");
+      throw_file_error(m_file_name, "there are " + std::to_string(values.size()) + " values for "
+                                      + std::to_string(m_builder.number_of_nodes() - first) + " nodes");
     for(std::size_t i = 0; i < values.size(); ++i)
       m_builder.set_value(first + i, values[i]);
   }
@@ -154,7 +156,8 @@ private:
   // Cells of higher order begin with their corners.
   void add_cell(std::size_t type, const std::size_t* nodes, std::size_t number)
   {
-    const auto is_one_of = [type](std::initializer_list<std::size_t> types) { return std::find(types.begin(), types.end(), type) != types.end(); };
+    const auto is_one_of
+      = [type](std::initializer_list<std::size_t> types) { return std::find(types.begin(), types.end(), type) != types.end(); };
     if(is_one_of({1, 2, 3, 4, 21})) // points and lines
       return;
     const bool is_triangle = is_one_of({5, 22, 34}), is_quadrilateral = is_one_of({9, 23, 28}), is_tetrahedron = is_one_of({10, 24});

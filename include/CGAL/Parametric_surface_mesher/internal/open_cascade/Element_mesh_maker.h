@@ -76,16 +76,13 @@ class Element_mesh_maker
 public:
   Element_mesh_maker(const Open_cascade_model_3& shape, const Open_cascade_names_3& names, const TriangleMesh& tm, const NamedParameters& np)
     : m_shape(shape), m_tm(tm), m_np(np), m_entities(names, m_result), m_parts_of_faces(parts_of_model_faces(shape, names)),
-      m_shape_edges(shape.model.edges().size(), Element_mesh_3::none), m_nodes(get(dynamic_vertex_property_t<std::size_t>(), tm)),
+      m_shape_edges(shape_edges_of_model(shape)), m_nodes(get(dynamic_vertex_property_t<std::size_t>(), tm)),
       m_surfaces(get(dynamic_face_property_t<std::size_t>(), tm)), m_mid_side_nodes(get(dynamic_edge_property_t<std::size_t>(), tm))
   {
     m_has_other_side.resize(shape.model.faces().size());
     for(const auto& face : shape.model.faces())
       if(face.other_side_of < m_has_other_side.size())
         m_has_other_side[face.other_side_of] = true;
-    for(std::size_t e = shape.model_edges.size(); e-- > 0;) // the first one of several stays
-      for(const std::size_t edge : shape.model_edges[e])
-        m_shape_edges[edge] = e;
   }
 
   Element_mesh_3 operator()()

@@ -41,6 +41,16 @@ inline std::vector<std::size_t> parts_of_model_faces(const Open_cascade_model_3&
   return result;
 }
 
+// For each edge of the model the first edge of the shape that it is a part of, or `none`.
+inline std::vector<std::size_t> shape_edges_of_model(const Open_cascade_model_3& shape)
+{
+  std::vector<std::size_t> result(shape.model.edges().size(), Open_cascade_model_3::none);
+  for(std::size_t e = shape.model_edges.size(); e-- > 0;)
+    for(const std::size_t edge : shape.model_edges[e])
+      result[edge] = e;
+  return result;
+}
+
 // Six hexadecimal digits, two for each of red, green and blue.
 inline std::string hexadecimal(const Open_cascade_names_3::Color& color)
 {

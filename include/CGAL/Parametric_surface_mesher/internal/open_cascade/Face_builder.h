@@ -15,6 +15,7 @@
 
 #include <CGAL/Open_cascade_model_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Face_interior.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Kernel_guard.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Loop_closer.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/convert_curves.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/find_sphere_chart.h>
@@ -162,11 +163,12 @@ private:
         inner.reason = reason_of_error([&] { interior.add(inner_point(inner.shape_vertex, face.loops.front())); });
   }
 
+  // What the function throws, as a sentence, or nothing.
   template <class Function>
   static std::string reason_of_error(const Function& function)
   {
     try {
-      function();
+      guarded(function);
       return "";
     }
     catch(const std::exception& error) {

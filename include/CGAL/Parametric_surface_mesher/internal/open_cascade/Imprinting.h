@@ -13,6 +13,8 @@
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/diagonal_of_shape.h>
+
 #include <BOPAlgo_Splitter.hxx>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAlgoAPI_Common.hxx>
@@ -44,7 +46,6 @@
 #include <gp_Pnt.hxx>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <string>
@@ -70,18 +71,19 @@ public:
   };
 
 private:
-  // A projection is not behind other faces, as on the back of a plate, if the way from it to the curve meets no face: from this share of
-  // the way on, and with at least this distance from faces as a share of its length.
+  // A projection counts if it is not behind other faces, as on the back of a plate: the way from it to the curve meets no face. The way
+  // begins at the first share of its length, since it meets the face of the projection. The second share is the least distance from faces.
   static constexpr double start_of_way = 0.1, clearance_of_way = 0.01;
-  // Nor is a projection of a place of the curve that is so many times closer to another face. A little more than 1 is needed, since
-  // the place of the curve that is closest to a projected point is not always that of which it is the projection.
+  // A projection does not count if the curve is so many times closer to another face. The ratio is above 1, since the place of the curve
+  // that is closest to a projected point is not always that of which it is the projection.
   static constexpr double largest_ratio = 2;
   static constexpr int number_of_samples = 8; // of a projected curve
-  // The largest distance of a projected curve from a face, over the reach; more segments than this are not asked for.
+  // The largest distance of a projected curve from its face, as a share of the reach.
   static constexpr double precision_of_projection = 1e-4;
-  // Over the reach, and at most over the diagonal of the shape: projections of a curve on two faces end so close to each other on the edge
-  // between these that they are taken to meet, and no tiny piece of the edge is left.
+  // Projections of a curve on two faces end close to each other on the edge between these. They are taken to meet if they are closer than
+  // the first share of the reach, and than the second one of the diagonal of the shape, so that no tiny piece of the edge is left.
   static constexpr double share_of_reach = 1e-3, share_of_diagonal = 2e-5;
+  // What Open CASCADE may approximate a projection by.
   static constexpr int largest_degree = 14, max_number_of_segments = 200;
 
   TopoDS_Shape m_shape;
@@ -134,13 +136,15 @@ public:
         add_part(TopoDS::Edge(part.Current()), edge, result);
     }
     if(!(result.projected_length > 0))
-      throw Parametric_surface_mesh_error(name + (result.refused_distance > 0 ? " is up to " + describe(result.refused_distance) + " away from the faces"
-                                                                              : " has no projection on the faces")
-                                          + ", and is to be projected by no more than " + describe(m_reach));
+      throw Parametric_surface_mesh_error(
+        name
+        + (result.refused_distance > 0 ? " is up to " + describe(result.refused_distance) + " away from the faces"
+                                       : " has no projection on the faces")
+        + ", and is to be projected by no more than " + describe(m_reach));
     return result;
   }
 
-  // Divides the shape by all that was added. (Given as one argument, what touches in the shape is not fused.)
+  // Divides the shape by all that was added. The shape is one argument, so that solids that touch in it are not fused.
   void operator()()
   {
     if(m_tools.empty())
@@ -150,7 +154,7 @@ public:
     for(const TopoDS_Shape& tool : m_tools)
       splitter.AddTool(tool);
     splitter.SetNonDestructive(true);
-    splitter.SetFuzzyValue((std::min)(share_of_reach * m_reach, share_of_diagonal * diagonal()));
+    splitter.SetFuzzyValue((std::min)(share_of_reach * m_reach, share_of_diagonal * diagonal_of_shape(m_shape)));
     splitter.Perform();
     if(splitter.HasErrors()) {
       std::ostringstream errors;
@@ -183,13 +187,6 @@ public:
   }
 
 private:
-  double diagonal() const
-  {
-    Bnd_Box box;
-    BRepBndLib::Add(m_shape, box);
-    return box.IsVoid() || box.IsOpen() ? 0 : std::sqrt(box.SquareExtent());
-  }
-
   // The projection of a curve on one face; null if there is none.
   TopoDS_Shape projection(const TopoDS_Edge& edge, const TopoDS_Face& face) const
   {
@@ -208,8 +205,8 @@ private:
     }
   }
 
-  // The same by an interpolation of projected points: that above misses some curves that lie on the face up to rounding. Null if the curve is
-  // too far away.
+  // The same by an interpolation of projected points, for curves that lie on the face up to rounding: `projection()` misses some of them.
+  // Null if the curve is farther away.
   TopoDS_Shape projection_of_points(const TopoDS_Edge& edge, const TopoDS_Face& face) const
   {
     try {

@@ -79,16 +79,15 @@ private:
 
   void number_lines()
   {
-    std::vector<std::size_t> numbers(m_shape.model.edges().size(), 0);
-    for(std::size_t e = m_shape.model_edges.size(); e-- > 0;) // the first one of several stays
-      for(const std::size_t edge : m_shape.model_edges[e])
-        numbers[edge] = e + 1;
+    const std::vector<std::size_t> shape_edges = shape_edges_of_model(m_shape);
     for(Mesh_page_3::Line& line : m_page.lines)
-      if(line.number > 0 && line.number <= numbers.size())
-        line.number = numbers[line.number - 1];
+      if(line.number > 0 && line.number <= shape_edges.size()) {
+        const std::size_t edge = shape_edges[line.number - 1];
+        line.number = edge == Open_cascade_model_3::none ? 0 : edge + 1;
+      }
   }
 
-  // Those that have lost their triangles are in the list already.
+  // Faces that have lost their triangles are in the list already.
   void add_missing_faces()
   {
     std::set<std::size_t> known;
@@ -100,7 +99,8 @@ private:
       m_page.findings.push_back({"left out", numbered("face", face.shape_face), face.reason});
     for(const auto& face : m_shape.closed_up)
       if(known.count(face.shape_face + 1) == 0)
-        m_page.findings.push_back({"simplified", numbered("face", face.shape_face) + " closed up", "it is nowhere wider than " + describe(face.width)});
+        m_page.findings.push_back({"simplified", numbered("face", face.shape_face) + " closed up",
+                                   "it is nowhere wider than " + describe(face.width)});
   }
 };
 

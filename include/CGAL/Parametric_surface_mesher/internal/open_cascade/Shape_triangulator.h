@@ -19,6 +19,7 @@
 
 #include <CGAL/Open_cascade_model_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/Face_triangulation.h>
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/Sphere_parameters.h>
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -126,7 +127,7 @@ private:
 
   std::size_t patch(face_descriptor f) const { return get(map(Face_patch_id_map_t()), f); }
 
-  // Of a face that two shells have, the triangles of the first one count.
+  // Of a face that two shells have, the triangles of the first shell count.
   void collect_triangles()
   {
     m_triangles.resize(std::size_t(m_faces.Extent()));
@@ -214,7 +215,7 @@ private:
       return;
     const auto& curve = m_shape.model.edges()[place.index].curve;
     const auto ends = std::minmax(place.parameters[0], place.parameters[1]);
-    if(!curve || !(ends.first < ends.second)) // nor if they are not known
+    if(!curve || !(ends.first < ends.second)) // parameters that are not known are not numbers
       return;
     const gp_Pnt first = point(source(h, m_tm)), last = point(target(h, m_tm));
     const auto distance = [&](const gp_Pnt& p, double t) {
@@ -275,7 +276,8 @@ private:
   // The pieces in one direction of the loop, one after the other; none if there is a gap between two of them.
   static std::optional<Chain> chain_of(std::vector<Piece> pieces, bool is_along_loop, const TopoDS_Edge& edge)
   {
-    pieces.erase(std::remove_if(pieces.begin(), pieces.end(), [=](const Piece& p) { return p.is_along_loop != is_along_loop; }), pieces.end());
+    const auto is_on_other_side = [=](const Piece& p) { return p.is_along_loop != is_along_loop; };
+    pieces.erase(std::remove_if(pieces.begin(), pieces.end(), is_on_other_side), pieces.end());
     std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.begin < b.begin; });
     if(pieces.empty())
       return std::nullopt;
@@ -330,13 +332,15 @@ private:
   }
 
   // Turns the chain of an edge that has another one in its place, which may run in the other direction.
-  static void turn(Chain& chain, const TopoDS_Edge& edge, const TopoDS_Face& face, const Face_triangulation<vertex_descriptor>& triangulation)
+  static void turn(Chain& chain, const TopoDS_Edge& edge, const TopoDS_Face& face,
+                   const Face_triangulation<vertex_descriptor>& triangulation)
   {
     double first = 0, last = 0;
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
     if(curve.IsNull() || chain.nodes.front() == chain.nodes.back())
       return;
-    const gp_Pnt2d begin = curve->Value(first), end = curve->Value(last), a = triangulation.uv(chain.nodes.front()), b = triangulation.uv(chain.nodes.back());
+    const gp_Pnt2d begin = curve->Value(first), end = curve->Value(last);
+    const gp_Pnt2d a = triangulation.uv(chain.nodes.front()), b = triangulation.uv(chain.nodes.back());
     if(a.Distance(begin) + b.Distance(end) <= a.Distance(end) + b.Distance(begin))
       return;
     std::reverse(chain.nodes.begin(), chain.nodes.end());
@@ -365,7 +369,8 @@ private:
       const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
       const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, forward, first, last);
       const auto distance = [&](const Chain& chain) {
-        return triangulation.uv(chain.nodes.front()).Distance(curve->Value(first)) + triangulation.uv(chain.nodes.back()).Distance(curve->Value(last));
+        return triangulation.uv(chain.nodes.front()).Distance(curve->Value(first))
+               + triangulation.uv(chain.nodes.back()).Distance(curve->Value(last));
       };
       if(distance(chains[1]) < distance(chains[0]))
         std::swap(chains[0], chains[1]);

@@ -12,6 +12,7 @@
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/open_cascade/restore_handle_macro.h>
 
+#include <CGAL/Parametric_surface_mesher/internal/open_cascade/diagonal_of_shape.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 
 #include <BOPAlgo_Builder.hxx>
@@ -145,12 +146,10 @@ private:
   void check_fuzzy(double fuzzy) const
   {
     const double largest_share = 0.01; // of the diagonal
-    Bnd_Box box;
-    BRepBndLib::Add(m_shape, box);
-    const double diagonal = box.IsVoid() || box.IsOpen() ? 0 : std::sqrt(box.SquareExtent());
+    const double diagonal = diagonal_of_shape(m_shape);
     if(fuzzy > largest_share * diagonal)
-      throw Parametric_surface_mesh_error("the fuzzy distance " + describe(fuzzy) + " is more than a hundredth of the diagonal of the shape, "
-                                          + describe(diagonal));
+      throw Parametric_surface_mesh_error("the fuzzy distance " + describe(fuzzy)
+                                          + " is more than a hundredth of the diagonal of the shape, " + describe(diagonal));
   }
 
   void fuse(const TopTools_IndexedMapOfShape& arguments, double fuzzy)
@@ -165,8 +164,8 @@ private:
     if(builder.HasErrors()) {
       std::ostringstream errors;
       builder.DumpErrors(errors);
-      throw Parametric_surface_mesh_error("the solids cannot be fused; a smaller fuzzy distance may help, or a repair of the shape. Open CASCADE: "
-                                          + errors.str());
+      throw Parametric_surface_mesh_error("the solids cannot be fused; a smaller fuzzy distance may help, or a repair of the shape. "
+                                          "Open CASCADE: " + errors.str());
     }
     m_shape = builder.Shape();
     m_history = builder.History();

@@ -27,8 +27,10 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Values between the nodes of a mesh of triangles and tetrahedra. Whether a point is in a tetrahedron is an exact predicate: a point between two of them is
-// in none by rounding otherwise, and would be taken to the boundary of the mesh. Degenerate triangles and tetrahedra are left out; their nodes are those of others.
+// Values between the nodes of a mesh of triangles and tetrahedra.
+// Whether a point is in a tetrahedron is decided by an exact predicate. With rounded numbers, a point between two tetrahedra could be in
+// none of them, and would get the value of a point on the boundary of the mesh.
+// Degenerate triangles and tetrahedra are left out, since others have their nodes.
 class Simplex_location_3
 {
   typedef Exact_predicates_inexact_constructions_kernel Exact_kernel;
