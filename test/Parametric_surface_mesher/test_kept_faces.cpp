@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -115,6 +117,36 @@ TEST(Kept_faces, are_none_with_other_criteria_or_surfaces)
   EXPECT_EQ(0u, kept.number_of_kept_faces());
 }
 
+// A strip between two pieces of a cylinder, whose upper side moves: the points on its lower side stay as they are, but the wanted edge
+// length beside the strip, which is a multiple of its width, does not.
+TEST(Kept_faces, have_the_same_sizes_beside_thin_strips)
+{
+  const auto pieces_with_strip = [](double width) {
+    std::vector<CGAL::Rectangular_patch_3<Cylinder>> patches;
+    for(const auto& heights : {std::make_pair(-0.3, 0.), std::make_pair(0., width), std::make_pair(width, 0.3)})
+      patches.emplace_back(Cylinder(1), 0, 0.3, heights.first, heights.second);
+    return CGAL::make_model_of_rectangular_patches(patches);
+  };
+  const double width = 0.0075, similar_width = 0.00751;
+  const Criteria narrow = Criteria().set_max_edge(0.1).set_min_edge(0.08).set_closeness(1.8);
+  Kept_faces kept;
+  const auto lower_side = [&](double w) {
+    const Mesh m = mesh(pieces_with_strip(w), narrow, kept);
+    expect_fresh(m, pieces_with_strip(w), narrow);
+    std::set<Point_3> result;
+    for(auto v : m.vertices())
+      if(m.point(v).z() == 0)
+        result.insert(m.point(v));
+    return result;
+  };
+  const auto points = lower_side(width);
+  EXPECT_GT(points.size(), 5u); // there would be five points without a division of the strip
+  EXPECT_EQ(points, lower_side(width));
+  EXPECT_EQ(3u, kept.number_of_kept_faces());
+  EXPECT_EQ(points, lower_side(similar_width));
+  EXPECT_EQ(0u, kept.number_of_kept_faces());
+}
+
 // What a function of the user says cannot be foreseen.
 TEST(Kept_faces, are_none_with_a_criterion_of_the_user)
 {
@@ -138,7 +170,7 @@ TEST(Kept_faces, are_none_after_a_run_that_failed)
   expect_fresh(m, quarters(), criteria);
 }
 
-// Spheres that are close are meshed twice, and the one that is far away once. So with sizes in three dimensions none of the refined ones is kept.
+// Two spheres that are close to each other are refined in a second round, and not kept for the next run. The third one is far away.
 TEST(Kept_faces, are_not_those_refined_where_a_mesh_intersects_itself)
 {
   typedef CGAL::Parametric_sphere_3<Test_kernel> Sphere;

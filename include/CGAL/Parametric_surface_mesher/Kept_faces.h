@@ -29,7 +29,8 @@ several times with other sizes in some places, as in a loop of a solver and its 
 A face keeps its triangles if
 
 - its boundary is divided as before, point by point,
-- the criteria have the same values, and so have its own sizes,
+- the criteria have the same values, and so have its own sizes, and those beside narrow faces that
+  `Parametric_surface_mesh_criteria::set_closeness()` asks for,
 - its sizing field gives the same lengths as before at all vertices and in the middle of each triangle, and its surface the same points
   at all vertices.
 
@@ -47,7 +48,7 @@ class Kept_faces
   std::map<std::size_t, internal::Face_signature<Kernel>> m_signatures;
 
 public:
-  /// of the last run: the number of faces that have kept the triangles of the run before.
+  /// the number of faces that have kept, in the last run, the triangles of the run before.
   std::size_t number_of_kept_faces() const { return m_faces.number_of_kept_faces(); }
 
   /// forgets all faces.
@@ -57,7 +58,7 @@ public:
 
   internal::Meshed_faces<Kernel>& meshed_faces() { return m_faces; }
 
-  // Before a run: forgets the faces that this run may mesh otherwise.
+  // Is called before a run: forgets the faces whose functions give other values than in the run before.
   template <class Model, class Criteria>
   void begin(const Model& model, const Criteria& criteria)
   {
@@ -69,7 +70,7 @@ public:
     });
   }
 
-  // After a run.
+  // Is called after a run.
   template <class Model, class Criteria>
   void end(const Model& model, const Criteria& criteria)
   {

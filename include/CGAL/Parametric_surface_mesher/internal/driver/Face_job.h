@@ -9,6 +9,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DRIVER_FACE_JOB_H
 
 #include <CGAL/Parametric_surface_mesher/internal/driver/Meshed_faces.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/values_of_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/partition/Meshed_patch.h>
 #include <CGAL/Parametric_surface_mesher/internal/partition/Split_patch_mesher.h>
@@ -65,6 +66,7 @@ public:
   {
     m_is_kept = false;
     m_meshed = Meshed_face<Kernel>();
+    m_meshed.values_of_criteria = values_of_criteria(criteria);
     m_meshed.max_number_of_vertices = criteria.max_number_of_vertices();
     m_mesher = std::make_unique<Mesher>(oracle, criteria, m_loops, progress);
     m_mesher->template operator()<ConcurrencyTag>(std::move(boundary));

@@ -9,7 +9,6 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_DRIVER_FACE_SIGNATURE_H
 
 #include <CGAL/Kernel/global_functions_2.h>
-#include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/Meshed_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/criteria_of_face.h>
 
@@ -19,34 +18,13 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The values of the criteria that decide how a face is meshed, but for functions.
-inline std::vector<double> values_of_criteria(const Parametric_surface_mesh_criteria& criteria)
-{
-  const double none = -1; // no value is negative
-  return {criteria.max_edge(),
-          criteria.min_edge(),
-          criteria.size_factor(),
-          criteria.growth(),
-          criteria.gamma(),
-          criteria.angle(),
-          criteria.distance().value_or(none),
-          double(criteria.feature_resolution()),
-          double(criteria.curve_deviation()),
-          double(criteria.placement()),
-          criteria.max_number_of_sweeps() ? double(*criteria.max_number_of_sweeps()) : none,
-          criteria.improvement_angle(),
-          criteria.improvement_time(),
-          double(criteria.part_size())};
-}
-
-// What tells whether a face would be meshed in the same way once more: the values of the criteria, and what its functions give where its
-// vertices and triangles are.
+// What the functions of a face give where its vertices and triangles are. A face with the same boundary and the same values of the criteria
+// (see `Meshed_faces`) would be meshed in the same way once more if these are the same, too.
 template <class Kernel>
 class Face_signature
 {
   typedef typename Kernel::Point_2 Point_2;
 
-  std::vector<double> m_criteria;
   std::vector<double> m_sizes;
   std::vector<typename Kernel::Point_3> m_points;
 
@@ -56,18 +34,17 @@ public:
   template <class ModelFace, class Criteria>
   Face_signature(const typename Meshed_faces<Kernel>::Face& meshed, const ModelFace& face, const Criteria& criteria)
   {
-    const Criteria of_face = criteria_of_face(criteria, face);
-    m_criteria = values_of_criteria(of_face);
     for(const auto& part : meshed.meshed.patch.parts)
       for(const Point_2& uv : part.mesh.domain_points)
         m_points.push_back(face.surface.point(uv.x(), uv.y()));
-    if(of_face.sizing_field())
-      append_sizes(meshed, *of_face.sizing_field());
+    const auto sizing_field = criteria_of_face(criteria, face).sizing_field();
+    if(sizing_field)
+      append_sizes(meshed, *sizing_field);
   }
 
   friend bool operator==(const Face_signature& a, const Face_signature& b)
   {
-    return a.m_criteria == b.m_criteria && a.m_sizes == b.m_sizes && a.m_points == b.m_points;
+    return a.m_sizes == b.m_sizes && a.m_points == b.m_points;
   }
 
 private:

@@ -20,6 +20,7 @@
 #include <optional>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
@@ -29,6 +30,7 @@ namespace internal {
 template <class Kernel>
 struct Meshed_face
 {
+  std::vector<double> values_of_criteria;       // those it was meshed with
   typename Indexed_mesh<Kernel>::Chords chords; // inner edges between boundary vertices
   Vertex_allowances allowances;
   bool is_of_earlier_run = false;
@@ -58,7 +60,8 @@ private:
   }
 };
 
-// Faces as they were meshed, for another round or run in which they are the same: a face is if its sizes and its boundary are.
+// Faces as they were meshed, for another round or run in which they are the same: a face is if its boundary, the values of its criteria
+// and its sizes are. The sizes that functions give are compared by others, who forget the faces where these differ.
 template <class Kernel>
 class Meshed_faces
 {
@@ -102,7 +105,7 @@ public:
       function(face.first, face.second);
   }
 
-  // What is there is of an earlier run.
+  // All faces that are there are of an earlier run then.
   void begin_run()
   {
     for(auto& face : m_faces)
@@ -114,15 +117,17 @@ public:
     return std::count_if(m_faces.begin(), m_faces.end(), [](const auto& face) { return face.second.meshed.is_of_earlier_run; });
   }
 
-  // Hands a face over, with the indices of these loops, if it has the same boundary; else it is forgotten.
-  std::optional<Meshed_face<Kernel>> take(std::size_t face, const Boundary_loops<Kernel>& loops)
+  // Hands a face over, with the indices of these loops, if it has the same boundary and was meshed with these values of the criteria; else
+  // it is forgotten.
+  std::optional<Meshed_face<Kernel>> take(std::size_t face, const Boundary_loops<Kernel>& loops,
+                                          const std::vector<double>& values_of_criteria)
   {
     const auto found = m_faces.find(face);
     if(found == m_faces.end())
       return std::nullopt;
     std::unordered_map<std::size_t, std::size_t> indices;
     std::optional<Meshed_face<Kernel>> result;
-    if(match(found->second.loops, loops, indices)) {
+    if(found->second.meshed.values_of_criteria == values_of_criteria && match(found->second.loops, loops, indices)) {
       result = std::move(found->second.meshed);
       result->renumber_division(indices);
     }

@@ -24,6 +24,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/driver/is_turned_by_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/make_oracles.h>
 #include <CGAL/Parametric_surface_mesher/internal/driver/set_default_sizes.h>
+#include <CGAL/Parametric_surface_mesher/internal/driver/values_of_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/Bad_faces.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/criteria_of_face.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/curve_box.h>
@@ -154,7 +155,7 @@ private:
       if(!m_model.faces()[f].loops.empty() && !m_bad_faces.contains(f) && m_other_sides->front(f) == Other_sides::none) {
         result.emplace_back(f, division.boundary_loops(f), !are_copies_independent(m_model.faces()[f].surface));
         if(m_meshed_faces)
-          if(auto meshed = m_meshed_faces->take(f, result.back().loops()))
+          if(auto meshed = m_meshed_faces->take(f, result.back().loops(), values_of_criteria(criteria_of(f))))
             result.back().keep(std::move(*meshed));
       }
     return result;
@@ -232,20 +233,27 @@ private:
     }
   }
 
-  // A face that is kept from an earlier run is as if it were collected. Another one is collected at once, while its triangulation is in the cache, and to be rid of that; unless it has a chord that may
-  // be that of another one. `number_of_vertices`: of the faces before
+  // A face that is kept from an earlier run is as if it were collected. Another one is collected at once, while its triangulation is in the
+  // cache, and to be rid of that; unless it has a chord that may be that of another one. `number_of_vertices`: of the faces before
   template <class ConcurrencyTag>
   void run_and_collect(ConcurrencyTag, Face_job& job, std::size_t number_of_vertices, const Faces_of_points& faces_of_points,
                        const Mesh& mesh)
   {
     if(job.is_kept() && !job.is_limited_by(limit_of_face(job, number_of_vertices)) && !may_have_common_chord(job, faces_of_points, mesh))
       return;
-    Criteria criteria = criteria_of_face(m_criteria, m_model.faces()[job.face()]);
-    m_sizes_beside_strips.set(job.face(), criteria);
+    Criteria criteria = criteria_of(job.face());
     criteria.set_max_number_of_vertices(limit_of_face(job, number_of_vertices));
     job.template run<ConcurrencyTag>(m_oracles[job.face()], criteria, triangulated_boundary(job), m_progress);
     if(!may_have_common_chord(job, faces_of_points, mesh))
       job.template collect<ConcurrencyTag>(mesh);
+  }
+
+  // The criteria that a face is meshed by, once the edges are divided, but for its limit of vertices.
+  Criteria criteria_of(std::size_t face) const
+  {
+    Criteria result = criteria_of_face(m_criteria, m_model.faces()[face]);
+    m_sizes_beside_strips.set(face, result);
+    return result;
   }
 
   std::size_t limit_of_face(const Face_job& job, std::size_t number_of_vertices) const

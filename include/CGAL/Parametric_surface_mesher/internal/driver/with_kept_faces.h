@@ -30,8 +30,8 @@ void with_kept_faces(const Model&, const Criteria&, const MetricField&, const No
   function(nullptr);
 }
 
-// Calls `function` with those faces of an earlier run that would be meshed in the same way; it replaces them by those of this run. Functions
-// of the user that decide the triangles cannot be compared: with them no face is kept.
+// Calls `function` with those faces of an earlier run that may be meshed in the same way; it replaces them by those of this run. No face is
+// kept if a metric field, a criterion or a placement of the user decides the triangles, since functions cannot be compared.
 template <class Model, class Criteria, class MetricField, class KeptFaces, class Function>
 void with_kept_faces(const Model& model, const Criteria& criteria, const MetricField&, std::reference_wrapper<KeptFaces> kept_faces,
                      const Function& function)
