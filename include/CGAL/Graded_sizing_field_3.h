@@ -61,8 +61,8 @@ private:
 
 public:
   /// \name Creation
-  /// `length` is the wanted edge length, `growth` by how much it grows outside, as a share of the distance: triangles of edges that grow by 0.2 are well shaped
-  /// still. All of these throw `Parametric_surface_mesh_error` for a length that is not positive, or a growth that is negative.
+  /// `length` is the wanted edge length. Outside it grows by `growth` times the distance; up to 0.2 leaves room for well-shaped triangles.
+  /// All of these throw `Parametric_surface_mesh_error` if the length is not positive and finite, or the growth is negative or not finite.
   /// @{
 
   /// in a box.
@@ -88,14 +88,18 @@ public:
     check_not_negative_and_finite("radius of a cylinder", radius);
     if(axis.source() == axis.target())
       throw Parametric_surface_mesh_error("the axis of a cylinder begins and ends at " + describe_place(axis.source()));
-    return Graded_sizing_field_3(Distance_from_cylinder_3(distance_point(axis.source()), distance_point(axis.target()), radius), length, growth);
+    return Graded_sizing_field_3(Distance_from_cylinder_3(distance_point(axis.source()), distance_point(axis.target()), radius), length,
+                                 growth);
   }
 
   /*!
   near points, segments or triangles: those of an edge or a face, for example.
   \tparam Range a range of `Point_3`, `Segment_3` or `Triangle_3`
-  \param reach the distance from them up to which the length does not grow, at least that of a curved edge or face from its segments or triangles
-  \throws Parametric_surface_mesh_error if the range is empty, a segment or triangle is degenerate, or `reach` is negative
+  \param length the wanted edge length
+  \param growth by how much it grows with the distance, as a share of that
+  \param reach the distance up to which the length does not grow. For a curved edge or face that is given by segments or triangles, it
+  should be at least the distance between these and the curve or surface.
+  \throws Parametric_surface_mesh_error if the range is empty, a segment or triangle is degenerate, or `reach` is negative or not finite
   */
   template <class Range>
   static Graded_sizing_field_3 near(const Range& range, double length, double growth = 0.2, double reach = 0)

@@ -27,8 +27,9 @@ namespace CGAL {
 /*!
 \ingroup PkgParametricSurfaceMesherSizing
 
-Edge lengths that are known at the nodes of a mesh, for instance from the error that a solver estimates there, and linear in each triangle or tetrahedron. A point
-that is in no tetrahedron gets the length at the closest point of the triangles and of the boundary of the tetrahedra.
+Edge lengths that are known at the nodes of a mesh, for instance from the error that a solver estimates there. They are linear in each
+triangle or tetrahedron. A point that is in no tetrahedron gets the length at the closest point of the triangles and of the boundary of the
+tetrahedra.
 
 \cgalModels `ParametricSurfaceSizingField_3`
 
@@ -43,14 +44,15 @@ public:
   typedef typename Kernel::Point_3 Point_3;
 
 private:
-  // copies share it
+  // Copies of the field share it.
   std::shared_ptr<const Parametric_surface_mesher::internal::Simplex_location_3> m_location;
   double m_smallest_value;
 
 public:
   /*!
-  \throws Parametric_surface_mesh_error if there are no triangles and no tetrahedra, one of them has a node that does not exist, a value is not positive and finite,
-  or the numbers of nodes and values differ
+  creates a field of the edge lengths that are the values of `mesh`.
+  \throws Parametric_surface_mesh_error if there are no triangles and no tetrahedra or all of them are degenerate, one of them has a node
+  that does not exist, a coordinate is not finite, a value is not positive and finite, or the numbers of nodes and values differ
   */
   explicit Interpolated_sizing_field_3(const Node_values_3& mesh)
   {
@@ -82,8 +84,8 @@ private:
       if(!std::isfinite(p[0] + p[1] + p[2]))
         throw Parametric_surface_mesh_error("the coordinates of " + numbered("node", i) + " of a sizing field are not finite");
       if(!(mesh.values[i] > 0 && std::isfinite(mesh.values[i])))
-        throw Parametric_surface_mesh_error("the length at " + numbered("node", i) + " of a sizing field must be positive and finite, and is "
-                                            + describe(mesh.values[i]));
+        throw Parametric_surface_mesh_error("the length at " + numbered("node", i) + " of a sizing field must be positive and finite, "
+                                            "and is " + describe(mesh.values[i]));
     }
     check_nodes(mesh, mesh.triangles, "triangle");
     check_nodes(mesh, mesh.tetrahedra, "tetrahedron");
@@ -96,7 +98,8 @@ private:
       for(const std::size_t node : simplices[i])
         if(node >= mesh.nodes.size())
           throw Parametric_surface_mesh_error(Parametric_surface_mesher::internal::numbered(what, i)
-                                              + " of a sizing field has a node that does not exist, with the index " + std::to_string(node));
+                                              + " of a sizing field has a node that does not exist, with the index "
+                                              + std::to_string(node));
   }
 };
 

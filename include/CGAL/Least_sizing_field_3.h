@@ -10,7 +10,8 @@
 
 #include <CGAL/license/Parametric_surface_mesher.h>
 
-#include <algorithm>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/least_length.h>
+
 #include <functional>
 #include <limits>
 #include <utility>
@@ -45,12 +46,12 @@ public:
   /// whether there is no field.
   bool is_empty() const { return m_fields.empty(); }
 
-  /// the least of the lengths that the fields ask for at a point; infinity if there is no field.
+  /// the least of the lengths that the fields ask for at a point; infinity if there is no field, NaN if one of them gives that.
   double operator()(const Point_3& p) const
   {
     double result = std::numeric_limits<double>::infinity();
     for(const auto& field : m_fields)
-      result = (std::min)(result, field(p));
+      result = Parametric_surface_mesher::internal::least_length(result, field(p));
     return result;
   }
 };

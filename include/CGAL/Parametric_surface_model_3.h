@@ -13,6 +13,7 @@
 #include <CGAL/Domain_curve_2.h>
 #include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/least_length.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/Space_curve_3.h>
 
@@ -160,8 +161,8 @@ public:
     return m_faces.size() - 1;
   }
 
-  /// Makes an edge lie inside a face: adds a loop that runs along it and back again. The mesh follows it as it follows the boundary. It must
-  /// not cross other edges but in common vertices. An edge that ends on the boundary does so in a vertex of that.
+  /// makes an edge lie inside a face: adds a loop that runs along it and back again. The mesh follows it as it follows the boundary. It may
+  /// meet other edges in common vertices only. If it ends on the boundary, it ends in a vertex of the boundary.
   /// \param curve the edge in the domain of the face
   /// \throws Parametric_surface_mesh_error if there is no such face
   void add_inner_edge(std::size_t face, std::size_t edge, const Curve& curve)
@@ -170,9 +171,9 @@ public:
     m_faces[face].loops.push_back({{edge, false, curve}, {edge, true, curve}});
   }
 
-  /// Makes a vertex lie inside a face: the mesh has it. It must not lie on an edge.
+  /// makes a vertex lie inside a face, where the mesh has it then. It must not lie on an edge.
   /// \param parameters the place of the vertex in the domain of the face
-  /// \param max_edge the wanted edge length around it; edges grow with the distance from it. 0 if it is to be as elsewhere
+  /// \param max_edge the wanted edge length around it; edges grow with the distance from it. 0 if it is as elsewhere
   /// \throws Parametric_surface_mesh_error if there is no such face
   void add_inner_point(std::size_t face, std::size_t vertex, const typename Geom_traits::Point_2& parameters, double max_edge = 0)
   {
@@ -226,7 +227,7 @@ public:
     for(Face& face : m_faces)
       face.sizing_field = [before = face.sizing_field, surface = face.surface, field](double u, double v) {
         const double length = field(surface.point(u, v));
-        return before ? (std::min)(length, before(u, v)) : length;
+        return before ? Parametric_surface_mesher::internal::least_length(length, before(u, v)) : length;
       };
   }
 

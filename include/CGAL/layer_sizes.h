@@ -12,8 +12,10 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Node_values_3.h>
+#include <CGAL/Parametric_surface_mesh_error.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Opposite_triangles.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/check_value.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/describe.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -33,10 +35,10 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// Edges become up to so many times as long as is wanted.
+// How many times as long as is wanted an edge may become.
 constexpr double largest_ratio_to_wanted_length = 1.4;
 
-// Lowers values at nodes, so that none is larger than that at another end of an edge by more than a share of its length.
+// Lowers values at nodes, so that those at the two ends of an edge differ by at most `growth` times its length.
 inline void limit_growth(double growth, Node_values_3& mesh)
 {
   std::vector<std::vector<std::size_t>> neighbors(mesh.nodes.size());
@@ -74,17 +76,18 @@ inline void limit_growth(double growth, Node_values_3& mesh)
 /*!
 \ingroup PkgParametricSurfaceMesherSizing
 
-finds the edge lengths with which a number of layers of elements fit between the sides of thin walls, and into narrow gaps: a mesh with them has edges at most as
-long as such a share of the local thickness, but for some that are a little longer.
+finds the edge lengths with which a number of layers of elements fit between the sides of thin walls, and into narrow gaps. In a mesh that
+is made with them, nearly all edges are at most as long as the local thickness divided by the number of layers; a few are a little longer.
 
-What is opposite to a triangle is found by rays along its normal, to both sides, from several of its points. It counts if its normal differs from that of
-the triangle, or from the opposite of that, by at most 60 degrees, and if it has no corner in common with it. The mesh should be one of default sizes that does not intersect itself: what it misses is not seen.
+What is opposite to a triangle is found by rays along its normal, to both sides, from several of its points. It counts if its normal differs
+from that of the triangle, or from the opposite of that, by at most 60 degrees, and if it has no corner in common with it. The mesh should
+be one of default sizes that does not intersect itself: what it misses is not seen.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, whose faces are triangles
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param mesh the mesh; it need be neither closed nor connected
-\param number_of_layers the number of edges that are to fit
+\param number_of_layers the number of edges that are to fit across a wall or a gap
 \param min_length the smallest length that is wanted, however thin the wall
 \param max_length the length where nothing is opposite
 \param growth how fast lengths grow away from thin places, as a share of the distance
@@ -101,7 +104,8 @@ the triangle, or from the opposite of that, by at most 60 degrees, and if it has
 
 \return the wanted lengths at the vertices of the mesh, for an `Interpolated_sizing_field_3`
 
-\throws Parametric_surface_mesh_error if `number_of_layers` or a length is not positive and finite, or `growth` is negative
+\throws Parametric_surface_mesh_error if a face is no triangle, `number_of_layers` or a length is not positive and finite, or `growth` is
+negative or not finite
 
 \sa `CGAL::Parametric_surface_model_3::add_sizing_field()`
 */
@@ -128,8 +132,11 @@ Node_values_3 layer_sizes(const TriangleMesh& mesh, double number_of_layers, dou
   for(const auto f : faces(mesh)) {
     std::array<std::size_t, 3> triangle;
     std::size_t i = 0;
-    for(const Vertex v : vertices_around_face(halfedge(f, mesh), mesh))
+    for(const Vertex v : vertices_around_face(halfedge(f, mesh), mesh)) {
+      if(i == 3)
+        throw Parametric_surface_mesh_error(numbered("face", result.triangles.size()) + " of the mesh is no triangle");
       triangle[i++] = nodes.at(v);
+    }
     result.triangles.push_back(triangle);
   }
   result.values.assign(result.nodes.size(), max_length);

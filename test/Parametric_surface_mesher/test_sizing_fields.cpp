@@ -112,11 +112,14 @@ TEST(Sizing_fields, are_combined_by_the_least_length)
   CGAL::Least_sizing_field_3<Point_3> field;
   EXPECT_TRUE(field.is_empty());
   EXPECT_EQ(field(Point_3(0, 0, 0)), infinity);
-  field.add(Graded::in_ball(Point_3(0, 0, 0), 1, 0.1)).add(Graded::in_ball(Point_3(10, 0, 0), 1, 0.2)).add([](const Point_3&) { return 0.5; });
+  field.add(Graded::in_ball(Point_3(0, 0, 0), 1, 0.1)).add(Graded::in_ball(Point_3(10, 0, 0), 1, 0.2));
+  field.add([](const Point_3&) { return 0.5; });
   EXPECT_FALSE(field.is_empty());
   EXPECT_DOUBLE_EQ(field(Point_3(0, 0, 0)), 0.1);
   EXPECT_DOUBLE_EQ(field(Point_3(9.5, 0, 0)), 0.2);
   EXPECT_DOUBLE_EQ(field(Point_3(5, 0, 0)), 0.5);
+  field.add([](const Point_3&) { return nan; }).add([](const Point_3&) { return 0.5; });
+  EXPECT_TRUE(std::isnan(field(Point_3(5, 0, 0))));
 }
 
 TEST(Sizing_fields, refuse_what_is_no_length_or_place)
@@ -207,6 +210,17 @@ TEST(Sizing_fields, refuse_meshes_without_lengths)
   EXPECT_THROW(Interpolated{mesh}, Error); // no area
 }
 
+// The volume is 0 by rounding, and so are the weights of the corners of the tetrahedron.
+TEST(Sizing_fields, have_a_length_in_tetrahedra_that_are_nearly_flat)
+{
+  CGAL::Node_values_3 mesh;
+  mesh.nodes = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, std::numeric_limits<double>::denorm_min()}}};
+  mesh.values = {1, 2, 3, 4};
+  mesh.tetrahedra = {{{0, 1, 2, 3}}};
+  const double length = Interpolated(mesh)(Point_3(0.25, 0.25, 0));
+  EXPECT_GE(length, 1);
+  EXPECT_LE(length, 4);
+}
 
 // Files in a directory that goes away with the test.
 class Node_value_files : public testing::Test
@@ -322,27 +336,34 @@ std::string vtu_text(const std::string& attributes, const std::string& values, c
 TEST_F(Node_value_files, of_vtk)
 {
   const std::string size = "<DataArray type=\"Float32\" Name=\"size\" format=\"ascii\">1 2 3 4</DataArray>",
-                    vectors = "<DataArray type=\"Float32\" Name=\"v\" NumberOfComponents=\"3\" format=\"ascii\">1 2 3 4 5 6 7 8 9 10 11 12</DataArray>",
+                    vectors = "<DataArray type=\"Float32\" Name=\"v\" NumberOfComponents=\"3\" format=\"ascii\">"
+                              "1 2 3 4 5 6 7 8 9 10 11 12</DataArray>",
                     end = "</VTKFile>\n";
   expect_square(CGAL::IO::read_node_values(write("text.vtu", vtu_text("", vectors + size) + end)));
   // 16 bytes, header and numbers in one piece of base64, and each in its own
   const std::string one_piece = "EAAAAAAAgD8AAABAAABAQAAAgEA=", two_pieces = "EAAAAA==AACAPwAAAEAAAEBAAACAQA==";
   for(const std::string& base64 : {one_piece, two_pieces})
     expect_square(CGAL::IO::read_node_values(
-      write("binary.vtu", vtu_text("", "<DataArray type=\"Float32\" Name=\"size\" format=\"binary\">\n  " + base64 + "\n</DataArray>") + end)));
+      write("binary.vtu",
+            vtu_text("", "<DataArray type=\"Float32\" Name=\"size\" format=\"binary\">\n  " + base64 + "\n</DataArray>") + end)));
   const std::string appended = "<DataArray type=\"Float32\" Name=\"size\" format=\"appended\" offset=\"0\"/>";
   expect_square(CGAL::IO::read_node_values(
     write("base64.vtu", vtu_text("", appended) + "<AppendedData encoding=\"base64\">\n_" + two_pieces + "\n</AppendedData>" + end)));
   const std::string big_endian("\0\0\0\x10\x3f\x80\0\0\x40\0\0\0\x40\x40\0\0\x40\x80\0\0", 20);
   expect_square(CGAL::IO::read_node_values(
-    write("raw.vtu", vtu_text(" byte_order=\"BigEndian\"", appended) + "<AppendedData encoding=\"raw\">_" + big_endian + "</AppendedData>" + end)));
-  expect_refused(write("short.vtu", vtu_text("", appended) + "<AppendedData encoding=\"base64\">\n_" + two_pieces.substr(0, 16) + "\n</AppendedData>" + end),
+    write("raw.vtu", vtu_text(" byte_order=\"BigEndian\"", appended)
+                       + "<AppendedData encoding=\"raw\">_" + big_endian + "</AppendedData>" + end)));
+  expect_refused(write("short.vtu",
+                       vtu_text("", appended) + "<AppendedData encoding=\"base64\">\n_" + two_pieces.substr(0, 16) + "\n</AppendedData>" + end),
                  "end too early");
-  expect_refused(write("two.vtu", vtu_text("", size + "<DataArray type=\"Float32\" Name=\"error\" format=\"ascii\">1 2 3 4</DataArray>") + end), "'size', 'error'");
+  expect_refused(write("two.vtu", vtu_text("", size
+                                               + "<DataArray type=\"Float32\" Name=\"error\" format=\"ascii\">1 2 3 4</DataArray>") + end), "'size', 'error'");
   expect_refused(write("vectors.vtu", vtu_text("", vectors) + end), "no scalar values");
   expect_refused(write("hexahedra.vtu", vtu_text("", size, "12 12") + end), "elements of type 12");
-  expect_refused(write("few.vtu", vtu_text("", "<DataArray type=\"Float32\" Name=\"size\" format=\"ascii\">1 2 3</DataArray>") + end), "3 values for 4 nodes");
-  expect_refused(write("lz4.vtu", vtu_text(" compressor=\"vtkLZ4DataCompressor\"", appended) + "<AppendedData encoding=\"raw\">_" + big_endian), "compressed");
+  expect_refused(write("few.vtu",
+                       vtu_text("", "<DataArray type=\"Float32\" Name=\"size\" format=\"ascii\">1 2 3</DataArray>") + end), "3 values for 4 nodes");
+  expect_refused(write("lz4.vtu", vtu_text(" compressor=\"vtkLZ4DataCompressor\"", appended)
+                                  + "<AppendedData encoding=\"raw\">_" + big_endian), "compressed");
   expect_refused(write("other.vtu", "<VTKFile type=\"PolyData\"></VTKFile>"), "no unstructured grid");
   expect_refused(write("garbage.vtu", "garbage"), "no XML");
 }
@@ -363,9 +384,9 @@ TEST_F(Node_value_files, of_vtk_written_here)
   expect_square(CGAL::IO::read_node_values(file("square.vtu")));
 }
 
-// the two sides of a sheet of a given thickness over the square [0,10]^2, as grids; each side has points of its own
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 
+// The two sides of a sheet of a given thickness over the square [0,10]^2, as grids. Each side has points of its own.
 template <class Thickness>
 Mesh sheet(const Thickness& thickness)
 {
@@ -418,7 +439,7 @@ TEST(Layer_sizes, have_bounds)
     EXPECT_EQ(value, 0.01);
   for(const double value : CGAL::layer_sizes(sheet([](double) { return 100.; }), 2, 0.01, 5).values)
     EXPECT_EQ(value, 5);
-  // sides that touch have no room between them, and those that meet at a right angle are not opposite to each other
+  // Sides that touch have no room between them, and one with a slope of 3 is not opposite to the other one.
   for(const double value : CGAL::layer_sizes(sheet([](double) { return 0.; }), 2, 0.01, 5).values)
     EXPECT_EQ(value, 5);
   for(const double value : CGAL::layer_sizes(sheet([](double x) { return 3 * x + 0.1; }), 2, 0.01, 5).values)
@@ -428,6 +449,10 @@ TEST(Layer_sizes, have_bounds)
   EXPECT_THROW(CGAL::layer_sizes(mesh, 2, -1, 5), Error);
   EXPECT_THROW(CGAL::layer_sizes(mesh, 2, 0.01, infinity), Error);
   EXPECT_THROW(CGAL::layer_sizes(mesh, 2, 0.01, 5, -1), Error);
+  Mesh square;
+  square.add_face(std::vector<Mesh::Vertex_index>{square.add_vertex(Point_3(0, 0, 0)), square.add_vertex(Point_3(1, 0, 0)),
+                                                  square.add_vertex(Point_3(1, 1, 0)), square.add_vertex(Point_3(0, 1, 0))});
+  EXPECT_THROW(CGAL::layer_sizes(square, 2, 0.01, 5), Error);
 }
 
 } // namespace

@@ -14,6 +14,7 @@
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Intersection_search.h>
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Size_sources_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/least_length.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -60,8 +61,8 @@ private:
   // Edges become shorter by these factors at once, and in so many rounds.
   static constexpr double least_factor = 0.125, largest_factor = 0.7;
   static constexpr int max_number_of_rounds = 10;
-  // The meshes of all rounds together may have so many triangles: a multiple of those of the first one, and a number that any model may
-  // take. (Each round looks at all of its triangles: a model of a million triangles takes two to three seconds for it.)
+  // The triangles that the meshes of all rounds may have together: a multiple of those of the first one, and a number that any model may
+  // have. Each round looks at all of its triangles, which takes seconds for a large model.
   static constexpr double share_of_work = 3, number_of_work = 2.5e6;
   // No edge becomes shorter than this share of the minimum edge.
   static constexpr double share_of_min_edge = 1. / 16;
@@ -139,7 +140,7 @@ public:
     return is_changed;
   }
 
-  // The model with the sizes. `meshed_faces`: loses those whose sizes are not the same as in the finer model before
+  // The model with the sizes. `meshed_faces`: forgets the faces whose sizes are not the same as in the finer model before
   Model finer_model(Meshed_faces<Kernel>& meshed_faces)
   {
     Sources_of_patches sources;
@@ -159,7 +160,7 @@ public:
     return result;
   }
 
-  // Faces lose what they were meshed with in the finer model.
+  // Forgets the faces that the finer model has other sizes for.
   void forget_refined(Meshed_faces<Kernel>& meshed_faces) const
   {
     for(const auto& of_patch : m_sources)
@@ -189,7 +190,7 @@ private:
     face.sizing_field = [before, surface = face.surface,
                          lengths = std::make_shared<const Sources>(std::move(sources)), max_edge = m_max_edge](double u, double v) {
       const double length = (std::min)((*lengths)(surface.point(u, v)), max_edge);
-      return before ? (std::min)(length, before(u, v)) : length;
+      return before ? least_length(length, before(u, v)) : length;
     };
   }
 

@@ -9,6 +9,7 @@
 #define CGAL_PARAMETRIC_SURFACE_MESHER_INTERNAL_MODEL_CRITERIA_OF_FACE_H
 
 #include <CGAL/Parametric_surface_mesher/internal/sizing/Size_sources_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/sizing/least_length.h>
 
 #include <algorithm>
 #include <memory>
@@ -46,7 +47,7 @@ void set_sizes_of_inner_points(const Face& face, Criteria& criteria)
   criteria.set_sizing_field([before = criteria.sizing_field(), max_edge = criteria.max_edge(), surface = face.surface,
                              sources = std::make_shared<const Sources>(std::move(sources))](double u, double v) {
     const double length = (std::min)((*sources)(surface.point(u, v)), max_edge);
-    return before ? (std::min)(length, (*before)(u, v)) : length;
+    return before ? least_length(length, (*before)(u, v)) : length;
   });
 }
 

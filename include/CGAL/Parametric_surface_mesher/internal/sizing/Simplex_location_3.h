@@ -84,8 +84,8 @@ private:
   void add_tetrahedra(const Node_values_3& mesh)
   {
     for(const Tetrahedron& t : mesh.tetrahedra) {
-      const Exact_kernel::Tetrahedron_3 piece(node<Exact_kernel>(mesh, t[0]), node<Exact_kernel>(mesh, t[1]), node<Exact_kernel>(mesh, t[2]),
-                                              node<Exact_kernel>(mesh, t[3]));
+      const Exact_kernel::Tetrahedron_3 piece(node<Exact_kernel>(mesh, t[0]), node<Exact_kernel>(mesh, t[1]),
+                                              node<Exact_kernel>(mesh, t[2]), node<Exact_kernel>(mesh, t[3]));
       if(piece.is_degenerate())
         continue;
       m_tetrahedron_tree.insert(Numbered_piece_3<Exact_kernel, Exact_kernel::Tetrahedron_3>(piece, m_tetrahedra.size()));
@@ -97,7 +97,8 @@ private:
   void add_triangles(const Node_values_3& mesh, const std::vector<Triangle>& triangles)
   {
     for(const Triangle& t : triangles) {
-      const Distance_kernel::Triangle_3 piece(node<Distance_kernel>(mesh, t[0]), node<Distance_kernel>(mesh, t[1]), node<Distance_kernel>(mesh, t[2]));
+      const Distance_kernel::Triangle_3 piece(node<Distance_kernel>(mesh, t[0]), node<Distance_kernel>(mesh, t[1]),
+                                              node<Distance_kernel>(mesh, t[2]));
       if(!(piece.squared_area() > 0))
         continue;
       m_triangle_tree.insert(Numbered_piece_3<Distance_kernel, Distance_kernel::Triangle_3>(piece, m_triangles.size()));
@@ -122,8 +123,9 @@ private:
     return result;
   }
 
-  // The mean of values, weighted by areas or volumes. Weights that are negative by rounding do not lead beyond the values, and the mean of equal ones is
-  // just that: faces where nothing changes are not meshed again.
+  // The mean of values, weighted by areas or volumes. Weights that are negative by rounding do not lead beyond the values, and the mean of
+  // equal values is exactly that value: faces where nothing changes are not meshed again. Where rounding leaves no weights, it is the least
+  // value.
   template <class Simplex>
   double mean(const Simplex& simplex, std::array<double, std::tuple_size<Simplex>::value> weights) const
   {
@@ -133,7 +135,12 @@ private:
       sum += weights[i];
       difference += weights[i] * (m_values[simplex[i]] - m_values[simplex[0]]);
     }
-    return m_values[simplex[0]] + difference / sum;
+    if(sum > 0 && std::isfinite(sum))
+      return m_values[simplex[0]] + difference / sum;
+    double least = m_values[simplex[0]];
+    for(const std::size_t node : simplex)
+      least = (std::min)(least, m_values[node]);
+    return least;
   }
 
   double value_in_tetrahedron(std::size_t number, const Distance_kernel::Point_3& p) const
