@@ -180,9 +180,9 @@ public:
     return *this;
   }
 
-  /// what is done about triangles of one solid that pass through each other, and about folds, which are reported only. Looking for them takes half a microsecond to one
-  /// for a triangle, a fifth of the time of meshing; with `REFINED` a model whose mesh intersects itself is meshed several times.
-  /// Edges may become shorter than the minimum edge there. Default: `IGNORED`.
+  /// what is done about triangles of one solid that pass through each other, and about folds, which are reported only. Looking for them
+  /// takes half a microsecond to one for a triangle, a fifth of the time of meshing; with `REFINED` a model whose mesh intersects itself is
+  /// meshed several times. Edges may become shorter than the minimum edge there. Default: `IGNORED`.
   Parametric_surface_mesh_criteria& set_self_intersections(Parametric_surface_mesher::Self_intersections handling)
   {
     m_tolerances.self_intersections = handling;

@@ -123,7 +123,7 @@ struct Parametric_surface_mesh_report
   std::vector<Left_out_face> left_out;     ///< faces of the model that could not be meshed, by their indices
   std::vector<Removed_detail> removed_details; ///< by the indices of the faces
   std::vector<Intersection> intersections; ///< by the indices of the faces, if they were looked for
-  std::vector<Fold> folds;                 ///< the same
+  std::vector<Fold> folds;                 ///< by the indices of the faces, if intersections were looked for
   Seconds seconds;
 
   /// the number of triangles that fail `criterion`, and maybe others, for `cause`.

@@ -24,8 +24,6 @@ namespace {
 namespace psm = CGAL::Parametric_surface_mesher;
 typedef CGAL::Parametric_surface_mesh_criteria Criteria;
 
-const double pi = 4 * std::atan(1.);
-
 const std::vector<Point_2> unit_square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 struct Placed_mesh
@@ -230,7 +228,8 @@ TEST(Inner_edges, have_their_sizes)
   expect_followed(wave.model, placed, {edge});
   expect_whole(placed, 1);
   for(const auto e : placed.mesh.edges()) {
-    const double length = std::sqrt(CGAL::squared_distance(placed.mesh.point(placed.mesh.vertex(e, 0)), placed.mesh.point(placed.mesh.vertex(e, 1))));
+    const double length = std::sqrt(CGAL::squared_distance(placed.mesh.point(placed.mesh.vertex(e, 0)),
+                                                           placed.mesh.point(placed.mesh.vertex(e, 1))));
     if(placed.edge_places[e].index == edge) {
       EXPECT_LT(length, 0.0101);
     }
@@ -268,11 +267,11 @@ TEST(Inner_edges, lie_beside_poles)
   });
   Model model;
   const auto vertex = [&](double u, double v) { return model.add_vertex(sphere.point(u, v)); };
-  const double a = pi / 2;
+  const double a = CGAL_PI / 2;
   const std::size_t pole = vertex(0, a), start = vertex(0, 0), middle = vertex(1, 0.9);
   const std::size_t equator = model.add_edge(start, start), seam = model.add_edge(start, pole),
                     side = model.add_edge(pole, pole, true), other_side = model.add_edge(pole, pole, true);
-  const double turn = 2 * pi;
+  const double turn = 2 * CGAL_PI;
   model.add_face({sphere, {{{equator, false, Curve::segment({0, 0}, {turn, 0})},
                             {seam, false, Curve::segment({turn, 0}, {turn, a})},
                             {side, false, Curve::segment({turn, a}, {1, a})},
@@ -316,7 +315,9 @@ TEST(Inner_edges, are_refused_where_they_are_wrong)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(error_with([](Wave_model&) {}), "");
-  const auto expect_error = [](const std::string& error, const std::string& part) { EXPECT_NE(error.find(part), std::string::npos) << error; };
+  const auto expect_error = [](const std::string& error, const std::string& part) {
+    EXPECT_NE(error.find(part), std::string::npos) << error;
+  };
   expect_error(error_with([](Wave_model& w) { w.add_inner_segment(0, {1.2, 0.1}, {1.4, 0.2}); }), "not inside the face");
   expect_error(error_with([](Wave_model& w) { w.add_inner_segment(0, {1, 0.5}, {1.4, 0.2}); }), "not inside the face");
   expect_error(error_with([](Wave_model& w) { w.add_inner_segment(0, {0.8, 0.5}, {1.4, 0.2}); }), "crosses or touches");
@@ -341,9 +342,11 @@ TEST(Inner_edges, are_refused_where_they_are_wrong)
   expect_error(error_with([](Wave_model& w) { w.model.add_inner_point(0, w.vertex(0.5, 0.5), {0.5, 0.6}); }), "away from vertex");
   expect_error(error_with([](Wave_model& w) { w.model.add_inner_point(0, 99, {0.5, 0.6}); }), "none with index 99");
   expect_error(error_with([](Wave_model& w) { w.add_inner_point(0, {0.5, 0.6}, -1); }), "wanted edge length");
-  expect_error(error_with([](Wave_model& w) { w.model.add_inner_edge(0, 99, Curve::segment({0.1, 0.1}, {0.2, 0.2})); }), "no edge with index 99");
-  expect_error(error_with([](Wave_model& w) { w.model.add_inner_edge(0, w.add_edge({0.1, 0.1}, {0.2, 0.2}), Curve::segment({0.1, 0.1}, {0.2, 0.3})); }),
-               "away from vertex");
+  expect_error(error_with([](Wave_model& w) { w.model.add_inner_edge(0, 99, Curve::segment({0.1, 0.1}, {0.2, 0.2})); }),
+               "no edge with index 99");
+  expect_error(error_with([](Wave_model& w) {
+    w.model.add_inner_edge(0, w.add_edge({0.1, 0.1}, {0.2, 0.2}), Curve::segment({0.1, 0.1}, {0.2, 0.3}));
+  }), "away from vertex");
   Wave_model wave;
   EXPECT_THROW(wave.model.add_inner_point(0, wave.vertex(0, 0), {0, 0}), CGAL::Parametric_surface_mesh_error);
   EXPECT_THROW(wave.model.add_inner_edge(0, 0, Curve::segment({0, 0}, {1, 0})), CGAL::Parametric_surface_mesh_error);

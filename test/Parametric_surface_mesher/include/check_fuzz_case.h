@@ -105,8 +105,8 @@ private:
     return span(result);
   }
 
-  // If edges must be as long as the shape, curves are as straight as the fewest chords that they may have, and these may not cross where
-  // the curves do.
+  // Whether the pieces of the boundary are short enough to cross where its curves do. If the minimum edge is as long as the whole shape,
+  // each curve gets the fewest chords that it may have, and these may miss each other although the curves cross.
   bool are_curves_followed() const
   {
     return !m_case.surface || !m_case.criteria.sizing().min_edge || *m_case.criteria.sizing().min_edge < diagonal();

@@ -37,8 +37,9 @@ namespace internal {
 // Where a face is narrower than the pieces of its boundary are long, triangles across it are flat, and no point inside can
 // help. This class halves such pieces, as far as the minimum edge allows. It also halves pieces that are much longer than a
 // neighbour on the loop, and pieces so much longer than those across the face that triangles cannot grow from one side to the
-// other. The pieces at the tip of a cusp stay. Where that leaves angles below 10 degrees, pieces become shorter than the minimum edge
-// as long as that is cheap. Where pieces cannot be divided, points are moved along the edges of the strip.
+// other. The pieces at the tip of a cusp stay.
+// Where angles below 10 degrees are left, pieces become shorter than the minimum edge, if that is cheap (`divide_thin_strips.h`).
+// Where pieces cannot be divided, points are moved along the edges of the strip (`Strip_division.h`, `Strip_staggering.h`).
 template <class Oracle>
 class Closeness_refinement
 {
@@ -85,7 +86,7 @@ class Closeness_refinement
   Crossing_refinement<Oracle>& m_refine_crossings;
   Patch_progress& m_progress;
   std::set<std::size_t> m_faces_with_strips; // those narrower than pieces that cannot be halved
-  std::set<std::size_t> m_faces_with_thin_strips;
+  std::set<std::size_t> m_faces_with_thin_strips; // those so narrow that pieces may become shorter than the minimum edge
   Divided_thin_strips m_thin_strips;
 
 public:

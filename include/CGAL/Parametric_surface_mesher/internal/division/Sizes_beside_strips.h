@@ -16,15 +16,14 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The sizes of faces along thin strips, whose edges are shorter than the minimum edge: so may the edges inside be, and they grow away
-// from the strip.
+// The sizes of faces that have edges of a thin strip, with pieces shorter than the minimum edge. Edges inside these faces may be as short
+// as the pieces, and grow with the distance from the strip.
 class Sizes_beside_strips
 {
-  // the shortest edges that are wanted, by face
-  std::map<std::size_t, double> m_lengths;
+  std::map<std::size_t, double> m_lengths; // of the shortest pieces that are wanted, by face
 
 public:
-  static constexpr double growth = 0.2; // as much as leaves room for angles of 30 degrees
+  static constexpr double growth = 0.2; // the most that leaves room for angles of 30 degrees
 
   void add(std::size_t face, double length)
   {

@@ -44,7 +44,7 @@ class Thin_strip_division
 public:
   Thin_strip_division(Division& division, const Strips& strips) : m_division(division), m_strips(strips) {}
 
-  // Returns the number of pieces that there are more now.
+  // Returns how many more pieces there are than before.
   std::size_t operator()()
   {
     for(const auto& edge : m_strips)
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  // An edge, and those that are opposite to it, one after the other.
+  // Divides an edge, then those opposite to it, then those opposite to these.
   void divide_all_from(std::size_t first)
   {
     std::vector<std::size_t> edges(1, first);

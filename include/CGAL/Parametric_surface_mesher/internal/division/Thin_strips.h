@@ -11,18 +11,14 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Model_division.h>
 #include <CGAL/Parametric_surface_mesher/internal/division/Triangulated_boundary.h>
-#include <CGAL/Parametric_surface_mesher/internal/sizing/Spacing_limit.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -68,9 +64,9 @@ template <class Division>
 using Places_in_strips = std::map<std::size_t, std::map<std::size_t, Place_in_strip<Division>>>;
 
 /*
-Strips of faces so narrow that pieces along them, as short as the minimum edge lets them be, make triangles below 10 degrees. What may
-vanish as detail is none of them: of strips narrower than that, those between sheets that face each other or face away from each other,
-as at the rim of a thin wall and at the bottom of a narrow gap.
+Finds thin strips: places of faces so narrow that pieces along them, as short as the minimum edge allows, make triangles with angles below
+10 degrees. Where detail may vanish that is as wide as the strip, it counts only if it cannot vanish: between sheets that face each other or
+face away from each other, as at the bottom of a narrow gap and at the rim of a thin wall.
 */
 template <class Oracle>
 class Thin_strips
@@ -181,7 +177,8 @@ private:
     if(!result || !(result->width > least_width * m_criteria.min_edge()) || !(chord > harmless_ratio * result->width)
        || may_vanish(face, piece.edge, t, middle, *result))
       return std::nullopt;
-    result->length = std::sqrt(squared_distance(points[piece.number], middle)) + std::sqrt(squared_distance(middle, points[piece.number + 1]));
+    result->length = std::sqrt(squared_distance(points[piece.number], middle))
+                     + std::sqrt(squared_distance(middle, points[piece.number + 1]));
     return result;
   }
 
@@ -209,7 +206,7 @@ private:
     return !((std::min)(here, there) > cosine_of_facing || (std::max)(here, there) < -cosine_of_facing);
   }
 
-  // The unit normal, at a point of an edge, of the other face that uses it, on the side that it faces to; 0 if there is none.
+  // The unit normal, at a point of an edge, of another face that uses the edge, on the side that it faces to; 0 if there is none.
   Vector_3 normal_of_other_face(std::size_t face, std::size_t edge, double t) const
   {
     for(const auto& use : m_division.uses()[edge])

@@ -119,7 +119,7 @@ public:
 
   const Triangulation& triangulation() const { return *m_triangulation; }
 
-  // Single points inside the face have no segments and are none of them: they are vertices of the triangulation only.
+  // The loops without single points inside the face, which have no segments: these are vertices of the triangulation only.
   boost::iterator_range<typename std::vector<Loop>::const_iterator> loops() const
   {
     return {m_loops.begin(), m_loops.begin() + std::ptrdiff_t(m_number_of_loops)};

@@ -27,8 +27,8 @@ namespace internal {
 
 struct Divided_thin_strips
 {
-  std::size_t number_of_pieces = 0; // that there are more now
-  std::set<std::size_t> faces;      // that use edges which have changed
+  std::size_t number_of_pieces = 0; // those that there are more than before
+  std::set<std::size_t> faces;      // those that use edges which have changed
   Sizes_beside_strips sizes;
 };
 

@@ -42,8 +42,8 @@ class Fold_search
   typedef Parametric_surface_mesh_report::Fold Fold;
   typedef std::map<std::array<std::size_t, 2>, Fold> Folds; // by patches
 
-  static constexpr double largest_cosine = -0.94;            // of the angle between normals of folded triangles: that of 160 degrees
-  static constexpr double least_cosine_of_surfaces = -0.5;   // of that between normals of surfaces: that of 120 degrees
+  // The normals of folded triangles enclose at least 160 degrees, those of the surfaces there at most 120.
+  static constexpr double largest_cosine = -0.94, least_cosine_of_surfaces = -0.5;
 
   struct Side
   {
@@ -56,7 +56,8 @@ class Fold_search
 public:
   Fold_search(const Model& model, const Mesh& mesh) : m_model(model), m_mesh(mesh) {}
 
-  // `solids`: by patch, those that its triangles bound. Triangles of two patches count if they bound the same solid.
+  // Returns the folds, in ascending order of their patches. Triangles of two patches are compared if they bound a common solid.
+  // `solids`: by patch, the solids that its triangles bound
   // \pre the parts of the mesh have their places in it, and corner points
   std::vector<Fold> operator()(const std::vector<std::vector<std::size_t>>& solids) const
   {
@@ -66,7 +67,8 @@ public:
       compare_inside(p, folds, border);
     std::sort(border.begin(), border.end(), [](const auto& a, const auto& b) {
       const Side &s = std::get<2>(a), &t = std::get<2>(b);
-      return std::make_tuple(std::get<0>(a), std::get<1>(a), s.part, s.number) < std::make_tuple(std::get<0>(b), std::get<1>(b), t.part, t.number);
+      return std::make_tuple(std::get<0>(a), std::get<1>(a), s.part, s.number)
+             < std::make_tuple(std::get<0>(b), std::get<1>(b), t.part, t.number);
     });
     for(std::size_t i = 0; i < border.size(); ++i)
       for(std::size_t k = i + 1; k < border.size() && std::get<0>(border[i]) == std::get<0>(border[k])
@@ -91,7 +93,7 @@ private:
     std::vector<std::size_t> first_sides(part.number_of_edges, none);
     for(std::size_t side = 0; side < is_border.size(); ++side) {
       if(is_border[side]) {
-        const auto ends = std::minmax({std::size_t(part.source(side)), std::size_t(part.target(side))}); // a copy
+        const auto ends = std::minmax({std::size_t(part.source(side)), std::size_t(part.target(side))});
         border.emplace_back(ends.first, ends.second, Side{p, side});
         continue;
       }

@@ -42,8 +42,8 @@ std::vector<std::vector<std::size_t>> solids(const Model& model, const Mesh& mes
   return result;
 }
 
-// Looks for intersections, and folds, in a mesh, as far as the criteria ask for that. Returns whether the model is to be meshed again, with the
-// sizes of `refinement`; else what is left is in the report.
+// Looks for intersections and folds in a mesh, as far as the criteria ask for that. Returns whether the model is to be meshed again, with
+// the sizes of `refinement`; else what is left is in the report.
 template <class Model, class Mesh>
 bool is_to_be_refined(const Model& model, const Parametric_surface_mesh_criteria& criteria, const Mesh& mesh,
                       std::optional<Intersection_refinement<Model>>& refinement, Parametric_surface_mesh_report& report)

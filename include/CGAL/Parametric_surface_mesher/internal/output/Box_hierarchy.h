@@ -76,8 +76,7 @@ private:
 };
 
 // A tree of boxes that finds all pairs of them which overlap. Nodes are halved when they are first looked into, so that boxes which are
-// far from all others cost little. (CGAL's `box_self_intersection_d()` looks at all boxes: with it, `Polygon_mesh_processing::self_intersections()` takes 2.4 to
-// 2.8 times as long on three CAD models.)
+// far from all others cost little. CGAL's `box_self_intersection_d()` looks at all boxes, which takes twice as long and more on CAD models.
 class Box_hierarchy
 {
   typedef std::uint32_t Index;

@@ -128,7 +128,7 @@ private:
         connect_border(opposite(m_elements.new_halfedge(m_from.parts[side.part].halfedge(side.side)), m_mesh));
   }
 
-  // Points inside faces, which are on no border of a part.
+  // Gives points inside faces, which are on no border of a part, a halfedge.
   void connect_inner_points()
   {
     std::vector<bool> are_inner;

@@ -51,8 +51,8 @@ public:
   // \pre the parts of the mesh have their places in it
   explicit Intersection_search(const Mesh& mesh) : m_mesh(mesh) {}
 
-  // All pairs of triangles of one solid that pass through each other or lie on each other, in ascending order. `solids`: by patch, those
-  // that its triangles bound; triangles of patches without one are not looked at
+  // All pairs of triangles of one solid that pass through each other or lie on each other, in ascending order. `solids`: by patch, the
+  // solids that its triangles bound; triangles of patches without one are not looked at
   std::vector<Pair> operator()(const std::vector<std::vector<std::size_t>>& solids) const
   {
     std::map<std::size_t, std::vector<std::size_t>> parts; // by solid
@@ -132,8 +132,8 @@ private:
   }
 };
 
-// The pairs of triangles by the patches that they lie on. `is_of_surfaces`: tells of a pair whether the surfaces themselves meet there. One that
-// is not has the place.
+// Counts the pairs of triangles by the patches that they lie on. `is_of_surfaces`: tells of a pair whether the surfaces themselves meet
+// there. The place that is reported is that of a pair for which they do not, if there is one.
 template <class Kernel, class Predicate>
 std::vector<Parametric_surface_mesh_report::Intersection>
 report_of_intersections(const Intersection_search<Kernel>& search, const Indexed_mesh<Kernel>& mesh,

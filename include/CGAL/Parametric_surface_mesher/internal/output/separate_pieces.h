@@ -103,7 +103,7 @@ private:
     }
   }
 
-  // The shell, or if the edge lies inside the patch that, and the vertex at the other end of an edge.
+  // Tells the edges at the vertex apart: whether one lies inside a patch; that patch, or else the shell; and the vertex at its other end.
   typedef std::tuple<bool, std::size_t, std::size_t> Key_of_edge;
 
   // For each edge at the vertex: the corners whose triangle runs along the edge away from the vertex, and those whose triangle runs
@@ -130,7 +130,7 @@ private:
   // Whether a vertex lies on an edge inside a face.
   bool is_inside_face(std::size_t vertex) const { return vertex < m_mesh.places.size() && m_mesh.places[vertex].is_inside_face; }
 
-  // Those of a patch at an edge of the vertex.
+  // The number of triangles of a patch at an edge of the vertex.
   std::size_t number_of_triangles(std::size_t patch, std::size_t other_end) const
   {
     return std::size_t(std::count_if(m_corners.begin(), m_corners.end(), [&](const Corner& corner) {

@@ -18,11 +18,11 @@ namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
 
-// The mean spacing of the neighbours of a vertex, the closer the more; infinity if none has a finite one.
+// The mean spacing of the neighbours of a vertex, weighted by their inverse distances in space; infinity if none has a finite one.
 template <class Triangulation>
 double spacing_of_neighbors(const Triangulation& triangulation, typename Triangulation::Vertex_handle vertex)
 {
-  std::vector<std::pair<double, double>> neighbors; // weight and spacing; sorted, so that the first one of the circulator is as good as another
+  std::vector<std::pair<double, double>> neighbors; // weight and spacing; sorted, so that the sum does not depend on the first neighbour
   auto neighbor = triangulation.incident_vertices(vertex);
   const auto first = neighbor;
   do

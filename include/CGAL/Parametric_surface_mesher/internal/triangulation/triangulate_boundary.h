@@ -295,7 +295,7 @@ private:
   }
 
   // The spacing of a boundary vertex: the mean of the distances to its two neighbours (paper, section "Spacing function").
-  // That of a single point is set in the end; until then it has none that counts.
+  // A single point has an infinite one until `set_spacings_of_single_points()` is called.
   static double spacing(const std::vector<Boundary_vertex<Kernel>>& loop, std::size_t i)
   {
     if(is_single_point(loop))
@@ -319,7 +319,7 @@ private:
       }
   }
 
-  // A single point has the spacing of its neighbours, the closer the more, as points that refinement inserts, unless less is wanted.
+  // A single point gets the mean spacing of its neighbours, much like a point that refinement inserts, unless the sizes ask for less.
   void set_spacings_of_single_points(const std::vector<Evaluated>& evaluated)
   {
     for(std::size_t l = 0; l < m_loops.size(); ++l)
