@@ -8,6 +8,7 @@
 
 cmake_minimum_required(VERSION 3.16)
 
+get_filename_component(SOURCE_DIR "${SOURCE_DIR}" ABSOLUTE)
 set(internal CGAL/Parametric_surface_mesher/internal)
 
 function(report text)
@@ -34,7 +35,7 @@ set(number_of_headers 0)
 foreach(room IN LISTS rooms)
   list(FIND rooms ${room} own_place)
   file(GLOB headers RELATIVE ${SOURCE_DIR}/include/${internal} ${SOURCE_DIR}/include/${internal}/${room}/*.h)
-  if(headers STREQUAL "")
+  if(NOT headers)
     report("the room ${room} of Architecture.txt is empty or missing")
   endif()
   foreach(header IN LISTS headers)
