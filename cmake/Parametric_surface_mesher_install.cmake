@@ -1,8 +1,8 @@
 # This file is part of Parametric_surface_mesher, an extension package of CGAL.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Two components: "development", the headers with a config package for CMake, a file for pkg-config and, if the target doc was built, the
-# manual; and "programs". CPack makes a Debian package of each.
+# Installs two components: parametric-surface-mesher-dev, the headers with a config package for CMake, a file for pkg-config and, if the
+# target doc was built, the manual; and parametric-surface-mesher, the programs. CPack makes a Debian package of each.
 
 set(development_component parametric-surface-mesher-dev)
 set(programs_component parametric-surface-mesher)
@@ -41,7 +41,7 @@ configure_file(cmake/parametric_surface_mesher.pc.in ${PROJECT_BINARY_DIR}/param
 install(FILES ${PROJECT_BINARY_DIR}/parametric_surface_mesher.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig
   COMPONENT ${development_component})
 
-# (They take long to build: they are installed if they were.)
+# The programs take long to build, and are installed if they were built.
 foreach(program mesh_patch mesh_cad)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${programs_component} OPTIONAL)
@@ -65,7 +65,8 @@ if(is_top_level)
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_NAME ${development_component})
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_ARCHITECTURE all)
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev, libboost-dev")
-  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SUGGESTS "libtbb-dev, libocct-data-exchange-dev, libmedc-dev, lib3mf-dev, libjs-three")
+  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SUGGESTS
+    "libtbb-dev, libocct-data-exchange-dev, libmedc-dev, lib3mf-dev, libjs-three")
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER_PACKAGE_NAME ${programs_component})
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER_PACKAGE_SHLIBDEPS ON)

@@ -23,8 +23,8 @@ namespace CGAL {
 \ingroup PkgParametricSurfaceMesherFiles
 
 What a page shows of a mesh: its triangles with the faces that they lie on and their places in the domains, lines along edges, values
-of the triangles, and what was found. `points`, `triangles`, `triangle_faces` and `faces` are needed; all else may be empty. All arrays may be
-filled by hand.
+of the triangles, and what was found. `points`, `triangles`, `triangle_faces` and `faces` are needed; all else may be empty. All arrays
+may be filled by hand.
 
 \sa `CGAL::make_mesh_page()`
 \sa `CGAL::IO::write_HTML()`
@@ -53,7 +53,7 @@ struct Mesh_page_3
     std::optional<Color> color;
   };
 
-  /// an edge of the mesh that is a piece of an edge of the model.
+  /// an edge of the mesh that lies on an edge of the model or on the border of the mesh.
   struct Line
   {
     std::array<std::size_t, 2> points; ///< the indices of both ends
@@ -117,9 +117,9 @@ struct Mesh_page_3
     for(Finding& finding : findings)
       for(Point& place : finding.places)
         scale(place);
-    for(Values& of_name : values)
-      for(double& value : of_name.values)
-        value *= of_name.dimension == Dimension::LENGTH ? factor : of_name.dimension == Dimension::RECIPROCAL_LENGTH ? 1 / factor : 1;
+    for(Values& named : values)
+      for(double& value : named.values)
+        value *= named.dimension == Dimension::LENGTH ? factor : named.dimension == Dimension::RECIPROCAL_LENGTH ? 1 / factor : 1;
   }
 };
 

@@ -23,8 +23,8 @@ namespace CGAL {
 \ingroup PkgParametricSurfaceMesherFiles
 
 makes a page of the mesh of a model: its triangles, in the order of `tm`, with their places in the domains of its faces, lines along its
-edges, distances from the surfaces, curvatures, metric tensors, and what the report says was not met or removed. Faces and edges have their numbers in the
-model, from 1. Title, unit and names are left to the caller, as are the parts.
+edges, distances from the surfaces, curvatures, metric tensors, and what the report says was not met or removed. Faces and edges have
+their numbers in the model, from 1. Title, unit and names are left to the caller, as are the parts.
 
 \tparam Surface a model of `ParametricSurface_3`
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph` and `VertexListGraph`
@@ -33,8 +33,8 @@ model, from 1. Title, unit and names are left to the caller, as are the parts.
 \param model the model that the mesh was made of
 \param tm the mesh, which contains nothing else
 \param report what `make_parametric_surface_mesh()` returned
-\param np the maps that `make_parametric_surface_mesh()` has filled: `halfedge_uv_map`, which must be given, `face_patch_id_map`, `edge_place_map`, and
-          `vertex_point_map`, if it is not the default one; and the `metric_field` that it was called with
+\param np the maps that `make_parametric_surface_mesh()` has filled: `halfedge_uv_map`, which must be given, `face_patch_id_map`,
+          `edge_place_map`, and `vertex_point_map`, if it is not the default one; and the `metric_field` that it was called with
 */
 template <class Surface, class TriangleMesh, class NamedParameters>
 Mesh_page_3 make_mesh_page(const Parametric_surface_model_3<Surface>& model, const TriangleMesh& tm,

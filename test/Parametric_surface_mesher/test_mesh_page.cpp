@@ -39,7 +39,8 @@ CGAL::Mesh_page_3 small_page()
   page.faces[0].number = 7;
   page.faces[1].number = 9;
   page.lines = {{{{0, 1}}, 3}};
-  page.values = {{"height", CGAL::Mesh_page_3::Dimension::LENGTH, {1, 2}}, {"bend", CGAL::Mesh_page_3::Dimension::RECIPROCAL_LENGTH, {0, 0.5}}};
+  page.values = {{"height", CGAL::Mesh_page_3::Dimension::LENGTH, {1, 2}},
+                 {"bend", CGAL::Mesh_page_3::Dimension::RECIPROCAL_LENGTH, {0, 0.5}}};
   page.findings = {{"not met", "angle", "because of the boundary", {}, {1}, {}}, {"simplified", "closed up", "", {0}, {}, {{{1, 1, 1}}}}};
   return page;
 }
@@ -150,6 +151,8 @@ TEST(Mesh_page, refuses_arrays_that_do_not_fit)
   expect_refused("triangle 2 has a corner that does not exist", [](auto& page) { page.triangles[1][2] = 4; });
   expect_refused("triangle 1 lies on a face that does not exist", [](auto& page) { page.triangle_faces[0] = 2; });
   expect_refused("not finite", [](auto& page) { page.points[0][1] = std::nan(""); });
+  expect_refused("a parameter of a corner is not finite", [](auto& page) { page.corner_parameters[1][0][1] = std::nan(""); });
+  expect_refused("'closed up' is said of a place", [](auto& page) { page.findings[1].places[0][2] = std::nan(""); });
   expect_refused("'height' has not one value", [](auto& page) { page.values[0].values.pop_back(); });
   expect_refused("'angle' is said of a triangle", [](auto& page) { page.findings[0].triangles = {2}; });
   expect_refused("belongs to a part", [](auto& page) { page.faces[0].part = 0; });
@@ -166,8 +169,8 @@ std::size_t number_of_red_pixels(const mesh_picture::Image& image)
   return result;
 }
 
-// A blue triangle that rises towards the viewer, and a small red one beside its highest corner. Painted in the order of their middles, the red one would
-// always be on top.
+// A blue triangle that rises towards the viewer, and a small red one beside its highest corner. If they were painted in the order of
+// their middles, the red one would always be on top.
 mesh_picture::Image image_of_two_triangles(double height_of_red)
 {
   const std::vector<std::array<double, 3>> points{{{0, 0, 10}}, {{-9, -9, -50}}, {{9, -9, -50}},

@@ -65,7 +65,8 @@ public:
   Offscreen_canvas(const Offscreen_canvas&) = delete;
   Offscreen_canvas& operator=(const Offscreen_canvas&) = delete;
 
-  /// draws triangles; `points` has three coordinates for each corner, from -1 to 1, the third one larger where it is farther away, and `colors` three bytes.
+  /// draws triangles; `points` has three coordinates for each corner, from -1 to 1, the third one larger where it is farther away, and
+  /// `colors` three bytes.
   void draw_triangles(const std::vector<float>& points, const std::vector<std::uint8_t>& colors)
   {
     glEnableClientState(GL_COLOR_ARRAY);
@@ -126,7 +127,8 @@ private:
     if(is_there)
       m_context = eglCreateContext(m_display, config, EGL_NO_CONTEXT, nullptr);
     if(m_context == EGL_NO_CONTEXT || !eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context))
-      throw std::runtime_error("there is no driver of OpenGL that draws without a window; install one (libgl1-mesa-dri of Debian), or write the picture as .svg");
+      throw std::runtime_error("there is no driver of OpenGL that draws without a window; install one (libgl1-mesa-dri of Debian), or "
+                               "write the picture as .svg");
   }
 
   void make_buffers() const
@@ -143,7 +145,7 @@ private:
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, m_width, m_height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
     if(glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-      throw std::runtime_error("the picture is too large to be drawn");
+      throw std::runtime_error("the picture is too large for the driver of OpenGL; write it as .svg");
   }
 
   // Buffers go with their context.

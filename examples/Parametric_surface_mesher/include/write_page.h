@@ -1,7 +1,7 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The options --page and --picture of mesh_patch and mesh_cad. What they need is compiled once, in the folder library.
+// The options --page and --picture of mesh_patch and mesh_cad. The functions are in files of the folder library, which are compiled once.
 #ifndef WRITE_PAGE_H
 #define WRITE_PAGE_H
 

@@ -64,8 +64,10 @@ inline std::vector<char> png_of(const Image& image)
   return result;
 }
 
-// Normals at the corners of triangles: those of all triangles of the same face at the point, so that faces look smooth and their edges sharp.
-inline std::vector<Point_3> corner_normals(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles, const std::vector<std::size_t>& faces)
+// Normals at the corners of triangles. Each is the mean of those of all triangles of the same face at the point, so that faces look
+// smooth and their edges sharp.
+inline std::vector<Point_3> corner_normals(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles,
+                                           const std::vector<std::size_t>& faces)
 {
   std::vector<std::size_t> order(3 * triangles.size());
   for(std::size_t i = 0; i < order.size(); ++i)

@@ -67,7 +67,7 @@ Mesh_cad_options read_options(std::vector<std::string> arguments)
   return read_mesh_cad_options(int(words.size()), words.data());
 }
 
-// The pieces of edges of the shape. Where pieces of the mesh meet, each of them has one.
+// Appends those edges of the mesh that lie on edges of the shape.
 void append_edges(const Mesh_cad_result& result, Mesh_arrays& arrays)
 {
   const auto shape_edges = CGAL::Parametric_surface_mesher::internal::shape_edges_of_model(result.shape);

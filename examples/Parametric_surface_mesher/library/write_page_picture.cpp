@@ -12,8 +12,8 @@ void check_picture(const std::string& file_name)
 {
 #ifndef MESH_PICTURES_WITH_Z_BUFFER
   if(has_ending(file_name, ".png"))
-    throw Usage_error("--picture: this program was built without EGL, OpenGL or libpng, which .png files need; install them (libegl-dev, libgl-dev and "
-                      "libpng-dev of Debian), configure and build again, or write .svg");
+    throw Usage_error("--picture: this program was built without EGL, OpenGL or libpng, which .png files need; install them "
+                      "(libegl-dev, libgl-dev and libpng-dev of Debian), configure and build again, or write .svg");
 #else
   (void)file_name;
 #endif

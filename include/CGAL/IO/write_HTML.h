@@ -25,12 +25,13 @@ namespace IO {
 \ingroup PkgParametricSurfaceMesherFiles
 
 writes a mesh as a page to look at in a browser. The page is one file and needs no network: the mesh can be turned, zoomed and cut; it
-is coloured by face, part, smallest angle, the values of the page or by what was not met; a click tells the face, the triangle and its values, and shows
-the domain of the face beside it, with circumellipses. Coordinates are rounded to \f$ 2^{-24} \f$ of the size of the mesh, values to
-\f$ 2^{-16} \f$ of their range.
+is coloured by face, part, smallest angle, the values of the page or by what was not met; a click tells the face, the triangle and its
+values, and shows the domain of the face beside it, with circumellipses. Coordinates are rounded to \f$ 2^{-24} \f$ of the size of the
+mesh, values to \f$ 2^{-16} \f$ of their range.
 
-This header needs three.js (`libjs-three` of Debian); link with the target `Parametric_surface_mesher::Page_support`, which is there if three.js
-is. Without CMake's targets, `cmake -DTHREE_JS_DIR=... -DOUTPUT=... -P make_mesh_page_source.cmake` makes the header that is included here.
+This header needs three.js (`libjs-three` of Debian). Link with the target `Parametric_surface_mesher::Page_support`, which exists if
+three.js was found. Without CMake's targets, `cmake -DTHREE_JS_DIR=... -DOUTPUT=... -P make_mesh_page_source.cmake` makes the header
+`Parametric_surface_mesher_page_source.h`, which is included here.
 
 \return whether the stream is good
 \throws Parametric_surface_mesh_error if the arrays of the page do not fit together

@@ -50,10 +50,16 @@ inline std::vector<Mesh_page_3::Finding> findings_of(const Parametric_surface_me
   }
   for(const auto& intersection : report.intersections)
     result.push_back({"intersection", std::to_string(intersection.number_of_pairs) + " pairs of triangles pass through each other",
-                      intersection.is_of_surfaces ? "the surfaces do so, too" : "", {intersection.faces[0], intersection.faces[1]}, {}, {intersection.place}});
+                      intersection.is_of_surfaces ? "the surfaces do so, too" : "",
+                      {intersection.faces[0], intersection.faces[1]},
+                      {},
+                      {intersection.place}});
   for(const auto& detail : report.removed_details)
     result.push_back({"simplified", detail.is_closed_up ? "closed up" : "detail removed",
-                      std::to_string(detail.number_of_triangles) + " triangles, moved by at most " + describe(detail.moved), {detail.face}, {}, {detail.place}});
+                      std::to_string(detail.number_of_triangles) + " triangles, moved by at most " + describe(detail.moved),
+                      {detail.face},
+                      {},
+                      {detail.place}});
   for(const auto& face : report.left_out)
     result.push_back({"left out", "not meshed", face.reason, {face.face}});
   return result;
@@ -102,7 +108,8 @@ public:
       m_page.faces.back().number = f + 1;
     }
     m_tensors.resize(m_page.points.size());
-    m_page.values = {{"distance from the surface", Mesh_page_3::Dimension::LENGTH, {}}, {"curvature", Mesh_page_3::Dimension::RECIPROCAL_LENGTH, {}}};
+    m_page.values = {{"distance from the surface", Mesh_page_3::Dimension::LENGTH, {}},
+                     {"curvature", Mesh_page_3::Dimension::RECIPROCAL_LENGTH, {}}};
     for(const face_descriptor f : faces(m_tm))
       add_triangle(f);
     m_page.is_closed = true;
@@ -152,7 +159,8 @@ private:
   {
     const Kernel kernel;
     const auto squared_distance = kernel.compute_squared_distance_3_object();
-    const auto triangle = kernel.construct_triangle_3_object()(m_mesh.source_point(sides[0]), m_mesh.source_point(sides[1]), m_mesh.source_point(sides[2]));
+    const auto triangle
+      = kernel.construct_triangle_3_object()(m_mesh.source_point(sides[0]), m_mesh.source_point(sides[1]), m_mesh.source_point(sides[2]));
     double result = squared_distance(center, triangle);
     for(std::size_t i = 0; i < 3; ++i) {
       const auto &a = uv[i], &b = uv[(i + 1) % 3];
@@ -174,12 +182,12 @@ private:
 };
 
 template <class Surface, class TriangleMesh, class NamedParameters>
-Mesh_page_3 make_page(const Parametric_surface_model_3<Surface>& model, const TriangleMesh& tm, const Parametric_surface_mesh_report& report,
-                      const NamedParameters& np)
+Mesh_page_3 make_page(const Parametric_surface_model_3<Surface>& model, const TriangleMesh& tm,
+                      const Parametric_surface_mesh_report& report, const NamedParameters& np)
 {
   const auto mesh = make_mesh_in_model(tm, np);
-  const auto metric
-    = parameters::choose_parameter(parameters::get_parameter(np, Metric_field_t()), First_fundamental_form_metric_2<typename Surface::Geom_traits>());
+  typedef First_fundamental_form_metric_2<typename Surface::Geom_traits> Default_metric;
+  const auto metric = parameters::choose_parameter(parameters::get_parameter(np, Metric_field_t()), Default_metric());
   return Page_maker<Surface, std::decay_t<decltype(mesh)>, TriangleMesh, std::decay_t<decltype(metric)>>(model, mesh, tm, metric)(report);
 }
 

@@ -30,14 +30,19 @@ inline std::size_t length_of_character(const std::string& text, std::size_t i)
 {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
   const unsigned int first = byte(i);
-  const std::size_t length = first < 0x80 ? 1 : first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
+  const std::size_t length = first < 0x80                     ? 1
+                             : first >= 0xc2 && first < 0xe0 ? 2
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4
+                                                              : 0;
   for(std::size_t k = 1; k < length; ++k)
     if((byte(i + k) & 0xc0u) != 0x80u)
       return 0;
   return length;
 }
 
-// A string of JSON that may stand inside a script of a page: names of CAD files may contain anything. What is not UTF-8 becomes a question mark.
+// A string of JSON that may stand inside a script of a page: names in CAD files may contain anything. Bytes that are not UTF-8 become
+// question marks.
 inline std::string json_text(const std::string& text)
 {
   std::string result = "\"";
@@ -60,7 +65,7 @@ inline std::string json_text(const std::string& text)
   return result + '"';
 }
 
-// A number of JSON, which has none that are not finite.
+// A number of JSON; numbers that are not finite become null, since JSON has none.
 inline std::string json_number(double value)
 {
   char text[32];
@@ -68,7 +73,7 @@ inline std::string json_number(double value)
   return std::isfinite(value) ? text : "null";
 }
 
-// Bytes that a page has as text.
+// Bytes that are collected, and written into a page as text in base64.
 class Page_bytes
 {
   std::string m_bytes;
@@ -96,7 +101,8 @@ public:
   {
     const std::int64_t difference = static_cast<std::int64_t>(number) - m_last;
     m_last = static_cast<std::int64_t>(number);
-    std::uint64_t rest = difference < 0 ? 2 * static_cast<std::uint64_t>(-(difference + 1)) + 1 : 2 * static_cast<std::uint64_t>(difference);
+    std::uint64_t rest
+      = difference < 0 ? 2 * static_cast<std::uint64_t>(-(difference + 1)) + 1 : 2 * static_cast<std::uint64_t>(difference);
     for(; rest >= 0x80u; rest >>= 7)
       m_bytes += static_cast<char>(0x80u | (rest & 0x7fu));
     m_bytes += static_cast<char>(rest);
@@ -111,8 +117,8 @@ public:
   }
 };
 
-// Values in 16 bits each, in equal steps of their logarithms if they have a wide range; the value 0 and those that are not finite have codes of
-// their own.
+// Values in 16 bits each, in equal steps or in equal steps of their logarithms. The value 0 and values that are not finite have codes
+// of their own.
 class Rounded_values
 {
   static constexpr std::uint32_t zero = 0, unknown = 1, first = 2, last = 0xffff;
@@ -143,7 +149,8 @@ public:
 
   void write_range(std::ostream& out) const
   {
-    out << "\"low\":" << json_number(m_low) << ",\"high\":" << json_number(m_high) << ",\"logarithmic\":" << (m_is_logarithmic ? "true" : "false");
+    out << "\"low\":" << json_number(m_low) << ",\"high\":" << json_number(m_high)
+        << ",\"logarithmic\":" << (m_is_logarithmic ? "true" : "false");
   }
 
 private:

@@ -40,6 +40,9 @@ inline void check_page(const Mesh_page_3& page)
   check(n > 0, "there is no triangle");
   check(page.triangle_faces.size() == n, "triangle_faces has not one value for each triangle");
   check(page.corner_parameters.empty() || page.corner_parameters.size() == n, "corner_parameters has not one value for each triangle");
+  for(const auto& corners : page.corner_parameters)
+    for(const auto& uv : corners)
+      check(std::isfinite(uv[0]) && std::isfinite(uv[1]), "a parameter of a corner is not finite");
   check(page.metric_tensors.empty() || page.metric_tensors.size() == n, "metric_tensors has not one value for each triangle");
   for(std::size_t t = 0; t < n; ++t) {
     check(page.triangle_faces[t] < page.faces.size(), numbered("triangle", t) + " lies on a face that does not exist");
@@ -50,7 +53,8 @@ inline void check_page(const Mesh_page_3& page)
     for(const double coordinate : point)
       check(std::isfinite(coordinate), "a coordinate is not finite");
   for(const auto& face : page.faces)
-    check(face.part == Mesh_page_3::none || face.part < page.parts.size(), "face " + std::to_string(face.number) + " belongs to a part that does not exist");
+    check(face.part == Mesh_page_3::none || face.part < page.parts.size(),
+          "face " + std::to_string(face.number) + " belongs to a part that does not exist");
   for(const auto& line : page.lines)
     for(const std::size_t end : line.points)
       check(end < page.points.size(), "a line has an end that does not exist");
@@ -61,12 +65,15 @@ inline void check_page(const Mesh_page_3& page)
       check(t < n, "'" + finding.text + "' is said of a triangle that does not exist");
     for(const std::size_t f : finding.faces)
       check(f < page.faces.size(), "'" + finding.text + "' is said of a face that does not exist");
+    for(const auto& place : finding.places)
+      for(const double coordinate : place)
+        check(std::isfinite(coordinate), "'" + finding.text + "' is said of a place that is not finite");
   }
 }
 
 /*
-Writes the mesh of a page as JSON, with its arrays as bytes in base64. A corner with a face and parameters is a vertex of the page, so that each
-vertex has one normal and one place in one domain.
+Writes the mesh of a page as JSON, with its arrays as bytes in base64. A point is a vertex of the page once for each face and each pair
+of parameters that it has at corners of triangles, so that each vertex has one normal and one place in one domain.
 */
 class Page_writer
 {
@@ -90,8 +97,8 @@ public:
 
   void write()
   {
-    m_out << "{\"title\":" << json_text(m_page.title) << ",\n\"unit\":" << json_text(m_page.unit) << ",\n\"closed\":" << (m_page.is_closed ? "true" : "false")
-          << ",\n\"numberOfPoints\":" << m_page.points.size();
+    m_out << "{\"title\":" << json_text(m_page.title) << ",\n\"unit\":" << json_text(m_page.unit)
+          << ",\n\"closed\":" << (m_page.is_closed ? "true" : "false") << ",\n\"numberOfPoints\":" << m_page.points.size();
     write_list("summary", m_page.summary, [&](const std::string& line) { m_out << json_text(line); });
     write_positions();
     write_triangles();
@@ -196,7 +203,7 @@ private:
     write_bytes("triangleFaces", faces);
   }
 
-  // In the box of each face.
+  // Parameters are shares of the box of their face in its domain.
   void write_parameters()
   {
     typedef std::array<double, 4> Box; // both lower ends, both upper ends
@@ -300,7 +307,8 @@ private:
 
   void write_finding(const Mesh_page_3::Finding& finding)
   {
-    m_out << "{\"kind\":" << json_text(finding.kind) << ",\"text\":" << json_text(finding.text) << ",\"detail\":" << json_text(finding.detail);
+    m_out << "{\"kind\":" << json_text(finding.kind) << ",\"text\":" << json_text(finding.text)
+          << ",\"detail\":" << json_text(finding.detail);
     write_list("faces", finding.faces, [&](std::size_t f) { m_out << f; });
     Page_bytes triangles;
     for(const std::size_t t : finding.triangles)
