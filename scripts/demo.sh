@@ -42,7 +42,8 @@ mesh() {
   local name=$1
   shift
   echo "== Meshing $name"
-  "$programs/mesh_patch" "$@" --out "$out/$name.off" --picture "$out/$name.$picture" --json "$out/$name.json" ${pages:+--page "$out/$name.html"}
+  "$programs/mesh_patch" "$@" --out "$out/$name.off" --picture "$out/$name.$picture" --json "$out/$name.json" \
+    ${pages:+--page "$out/$name.html"}
   results+=("$out/$name.json")
 }
 
@@ -59,7 +60,8 @@ echo "== Drawing circumellipses in the domain of a coarse peak"
 cad_file=/usr/share/opencascade/data/step/linkrods.step
 if [ -e "$cad_file" ] && [ -x "$programs/mesh_cad" ]; then
   echo "== Meshing $cad_file"
-  "$programs/mesh_cad" "$cad_file" --out "$out/linkrods.off" --picture "$out/linkrods.$picture" --json "$out/linkrods_cad.json" ${pages:+--page "$out/linkrods.html"}
+  "$programs/mesh_cad" "$cad_file" --out "$out/linkrods.off" --picture "$out/linkrods.$picture" --json "$out/linkrods_cad.json" \
+    ${pages:+--page "$out/linkrods.html"}
 fi
 
 echo

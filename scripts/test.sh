@@ -11,7 +11,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 scripts/install_dependencies.sh
 # They read files back in tests, write .3mf files, or make the manual; what needs them is skipped without them.
-scripts/install_dependencies.sh calculix-ccx gmsh python3-meshio lib3mf-dev doxygen libjs-mathjax || echo "== Going on without CalculiX, Gmsh, meshio, lib3mf or Doxygen"
+scripts/install_dependencies.sh calculix-ccx gmsh python3-meshio lib3mf-dev doxygen libjs-mathjax \
+  || echo "== Going on without CalculiX, Gmsh, meshio, lib3mf or Doxygen"
 # The browser that pages of meshes are looked at in.
 scripts/install_dependencies.sh chromium python3 || echo "== Going on without Chromium"
 jobs=$(nproc)

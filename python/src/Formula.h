@@ -71,7 +71,8 @@ public:
   {
     static const std::map<std::string, Operation> operations{
       {"number", NUMBER}, {"variable", VARIABLE}, {"negative", NEGATIVE}, {"add", ADD}, {"subtract", SUBTRACT}, {"multiply", MULTIPLY},
-      {"divide", DIVIDE}, {"power", POWER}, {"power_of_number", POWER_OF_NUMBER}, {"sqrt", SQRT}, {"cbrt", CBRT}, {"exp", EXP}, {"log", LOG},
+      {"divide", DIVIDE}, {"power", POWER}, {"power_of_number", POWER_OF_NUMBER}, {"sqrt", SQRT}, {"cbrt", CBRT}, {"exp", EXP},
+      {"log", LOG},
       {"sin", SIN}, {"cos", COS}, {"tan", TAN}, {"asin", ASIN}, {"acos", ACOS}, {"atan", ATAN}, {"atan2", ATAN2}, {"sinh", SINH},
       {"cosh", COSH}, {"tanh", TANH}, {"asinh", ASINH}, {"acosh", ACOSH}, {"atanh", ATANH}, {"erf", ERF}, {"abs", ABS},
       {"minimum", MINIMUM}, {"maximum", MAXIMUM}, {"less", LESS}, {"less_equal", LESS_EQUAL}, {"equal", EQUAL}, {"select", SELECT}};

@@ -25,9 +25,12 @@ class Errors(unittest.TestCase):
                 ("not_there.step", {}, psm.MeshingError, "cannot open"), ("x.txt", {}, psm.MeshingError, "cannot open"),
                 (b"hello", {}, psm.MeshingError, "neither a STEP"), (b"ISO-10303-21;\nnothing", {}, psm.MeshingError, "STEP"),
                 (b"DBRep_DrawableShape\n", {}, psm.MeshingError, "BREP"), (17, {}, TypeError, "neither a path"),
-                ("x.step", {"max_edge": -1}, psm.MeshingError, "^max_edge: "), ("x.step", {"maxedge": 1}, TypeError, "no argument 'maxedge'"),
-                ("x.step", {"out": "y"}, TypeError, "no argument 'out'"), ("x.step", {"detail": 1, "keep_detail": True}, psm.MeshingError, "keep_detail"),
-                ("x.step", {"size": "x +"}, psm.FormulaError, "cannot be read"), ("x.step", {"faces": []}, ValueError, "^faces: it is empty"),
+                ("x.step", {"max_edge": -1}, psm.MeshingError, "^max_edge: "),
+                ("x.step", {"maxedge": 1}, TypeError, "no argument 'maxedge'"),
+                ("x.step", {"out": "y"}, TypeError, "no argument 'out'"),
+                ("x.step", {"detail": 1, "keep_detail": True}, psm.MeshingError, "keep_detail"),
+                ("x.step", {"size": "x +"}, psm.FormulaError, "cannot be read"),
+                ("x.step", {"faces": []}, ValueError, "^faces: it is empty"),
                 ("x.step", {"heal": "yes"}, psm.MeshingError, "^heal must be True or False"),
                 (b"ISO-10303-21;\nnothing", {}, psm.MeshingError, "cannot read the given shape.step")):
             with self.assertRaisesRegex(error, hint, msg=f"{source!r} {options}"):
@@ -113,11 +116,13 @@ class Cad_file(unittest.TestCase):
                 self.mesh.save(os.path.join(folder, "rods.xyz"))
 
     def test_options(self):
-        some = psm.mesh_cad(LINKRODS, fineness="coarse", faces=[1, 4], face_size={4: 0.003}, unit="CM", threads=2, self_intersections="ignore")
+        some = psm.mesh_cad(LINKRODS, fineness="coarse", faces=[1, 4], face_size={4: 0.003}, unit="CM", threads=2,
+                            self_intersections="ignore")
         self.assertEqual(set(some.face_ids), {1, 4})
         self.assertGreater(len(some.triangles_of(4)), 2 * len(self.mesh.triangles_of(4)))
         place = self.mesh.points[self.mesh.triangles[0]].mean(axis=0)
-        with_points = psm.mesh_cad(LINKRODS, fineness="coarse", faces="1", parts=[1], point=[place, tuple(place + 0.01)], local_size="face:1:0.05")
+        with_points = psm.mesh_cad(LINKRODS, fineness="coarse", faces="1", parts=[1], point=[place, tuple(place + 0.01)],
+                                   local_size="face:1:0.05")
         self.assertEqual([name for name in with_points.groups if name.startswith("point_")], ["point_1", "point_2"])
         curved = psm.mesh_cad(LINKRODS, fineness="coarse", order=2)
         self.assertEqual(curved.report["order"], 2)

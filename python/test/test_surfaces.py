@@ -316,7 +316,8 @@ class Patches(unittest.TestCase):
         bottom, top, seam = model.add_edge(below, below), model.add_edge(above, above), model.add_edge(below, above)
         segment = psm.Curve.segment
         model.add_face("cos(u), sin(u), v", [[(bottom, segment((0, 0), (TURN, 0))), (seam, segment((TURN, 0), (TURN, 1.5))),
-                                              (top, segment((0, 1.5), (TURN, 1.5)), "reversed"), (seam, segment((0, 0), (0, 1.5)), "reversed")]])
+                                              (top, segment((0, 1.5), (TURN, 1.5)), "reversed"),
+                                              (seam, segment((0, 0), (0, 1.5)), "reversed")]])
         circle = psm.Curve("cos(2*pi*t), sin(2*pi*t)", 0, 1)
         model.add_face("u, v, 0", [[(bottom, circle)]])
         model.add_face(lambda u, v: (u, v, 1.5), [[(top, circle)]])
