@@ -56,6 +56,40 @@ void add_pieces(const std::vector<Piece>& pieces, Tree& tree)
     tree.insert(typename Tree::Primitive(pieces[i], i));
 }
 
+// Stops at the first piece that a query intersects. any_intersected_primitive() of CGAL's tree finds the same piece and returns a copy of an
+// optional, of which g++ warns: it would read a number that may never have been written.
+template <class Tree>
+class Any_piece_traversal
+{
+  const typename Tree::AABB_traits& m_traits;
+  bool m_is_found = false;
+  std::size_t m_number = 0;
+
+public:
+  explicit Any_piece_traversal(const Tree& tree) : m_traits(tree.traits()) {}
+
+  bool is_found() const { return m_is_found; }
+  std::size_t number() const { return m_number; }
+
+  // What Tree::traversal() asks for.
+  bool go_further() const { return !m_is_found; }
+
+  template <class Query>
+  void intersection(const Query& query, const typename Tree::Primitive& piece)
+  {
+    if(m_traits.do_intersect_object()(query, piece)) {
+      m_is_found = true;
+      m_number = piece.id();
+    }
+  }
+
+  template <class Query, class Node>
+  bool do_intersect(const Query& query, const Node& node) const
+  {
+    return m_traits.do_intersect_object()(query, node.bbox());
+  }
+};
+
 } // namespace internal
 } // namespace Parametric_surface_mesher
 } // namespace CGAL

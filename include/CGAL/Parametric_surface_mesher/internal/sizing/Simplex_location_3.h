@@ -36,13 +36,14 @@ class Simplex_location_3
   typedef Exact_predicates_inexact_constructions_kernel Exact_kernel;
   typedef std::array<std::size_t, 3> Triangle;
   typedef std::array<std::size_t, 4> Tetrahedron;
+  typedef Piece_tree_3<Exact_kernel, Exact_kernel::Tetrahedron_3> Tetrahedron_tree;
 
   std::vector<double> m_values;
   std::vector<Distance_kernel::Point_3> m_nodes;
   std::vector<Triangle> m_triangles;     // those in the tree
   std::vector<Tetrahedron> m_tetrahedra; // those in the tree
   Piece_tree_3<Distance_kernel, Distance_kernel::Triangle_3> m_triangle_tree;
-  Piece_tree_3<Exact_kernel, Exact_kernel::Tetrahedron_3> m_tetrahedron_tree;
+  Tetrahedron_tree m_tetrahedron_tree;
 
 public:
   explicit Simplex_location_3(const Node_values_3& mesh) : m_values(mesh.values)
@@ -66,9 +67,10 @@ public:
   {
     if(!m_tetrahedra.empty()) {
       const Exact_kernel::Point_3 q(p[0], p[1], p[2]);
-      const auto found = m_tetrahedron_tree.any_intersected_primitive(q);
-      if(found)
-        return value_in_tetrahedron(*found, distance_point(q));
+      Any_piece_traversal<Tetrahedron_tree> traversal(m_tetrahedron_tree);
+      m_tetrahedron_tree.traversal(q, traversal);
+      if(traversal.is_found())
+        return value_in_tetrahedron(traversal.number(), distance_point(q));
     }
     const auto closest = m_triangle_tree.closest_point_and_primitive(Distance_kernel::Point_3(p[0], p[1], p[2]));
     return value_on_triangle(closest.second, closest.first);
