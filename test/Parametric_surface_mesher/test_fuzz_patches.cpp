@@ -116,3 +116,23 @@ TEST(Found_by_fuzzing, torus_with_hardly_a_point_inside)
       expect_nothing_found(torus);
     }
 }
+
+// A torus in parts, with hardly a point inside: a chord of one part joins the same vertices as a side that two other parts share.
+TEST(Found_by_fuzzing, chord_beside_a_side_of_other_parts) { expect_nothing_found(make_fuzz_case(411639)); }
+
+// The same with parts of other sizes.
+TEST(Found_by_fuzzing, torus_in_parts_with_hardly_a_point_inside)
+{
+  for(const double radius : {0.1, 0.3})
+    for(const std::size_t part_size : {7, 19}) {
+      Fuzz_case torus;
+      torus.model = CGAL::make_model_of_rectangular_patches(std::vector<Fuzz_surface>{
+        Fuzz_surface(CGAL::Parametric_torus_3<Fuzz_kernel>(1, radius), 0, 2 * CGAL_PI, 0, 2 * CGAL_PI)});
+      torus.is_model_closed = true;
+      torus.criteria.set_max_edge(0.5 * radius).set_part_size(part_size);
+      Fuzz_mesh whole;
+      ASSERT_TRUE(mesh_fuzz_case(torus, torus.criteria, false, whole).is_mesh());
+      torus.criteria.set_max_number_of_vertices(whole.report.number_of_boundary_edges + 1);
+      expect_nothing_found(torus);
+    }
+}

@@ -123,6 +123,9 @@ public:
   // of the patch are added. It may be done again, with more of them.
   void split_chords(Chords& chords)
   {
+    if(has_cuts())
+      for(const auto& part : m_parts)
+        add_borders_at_cuts(part->triangulation(), chords);
     for(const auto& part : m_parts)
       part->split_chords(chords);
   }
@@ -151,6 +154,23 @@ public:
   }
 
 private:
+  // The sides that parts share are edges of the mesh. On a patch that closes on itself, a chord of one part may join the same
+  // vertices as a side of another one, on the other side of a seam.
+  void add_borders_at_cuts(const Triangulation& triangulation, Chords& chords) const
+  {
+    for(Vertex_handle vertex : triangulation.finite_vertex_handles()) {
+      if(!vertex->is_on_boundary() || vertex->index() < Part::first_cut_point)
+        continue;
+      auto face = triangulation.incident_faces(vertex);
+      const auto first = face;
+      do {
+        const int i = face->index(vertex);
+        if(face->is_in_domain() != face->neighbor(Triangulation::cw(i))->is_in_domain())
+          chords.insert(std::minmax(vertex->index(), face->vertex(Triangulation::ccw(i))->index()));
+      } while(++face != first);
+    }
+  }
+
   // Cheap tests. The number of triangles is bounded by that of the boundary's edges, and by their lengths, unless spacing is
   // much smaller inside.
   bool may_be_split() const
