@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs two components: parametric-surface-mesher-dev, the headers with a config package for CMake, a file for pkg-config and, if the
-# target doc was built, the manual; and parametric-surface-mesher, the programs. CPack makes a Debian package of each.
+# target doc was built, the manual; and parametric-surface-mesher, the programs. A third, python3-parametric-surface-mesher, is that of
+# python/. CPack makes a Debian package of each that was built.
 
 set(development_component parametric-surface-mesher-dev)
 set(programs_component parametric-surface-mesher)
@@ -51,25 +52,47 @@ endforeach()
 if(is_top_level)
   set(CPACK_GENERATOR DEB)
   set(CPACK_PACKAGE_NAME parametric-surface-mesher)
+  set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
   set(CPACK_PACKAGE_CONTACT "The authors of Parametric_surface_mesher <parametric-surface-mesher@example.org>")
   set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "triangle meshes of trimmed parametric surfaces and CAD files")
   set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/COPYING)
   set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-  set(CPACK_COMPONENTS_ALL ${development_component})
-  if(TARGET mesh_patch)
-    list(APPEND CPACK_COMPONENTS_ALL ${programs_component})
-  endif()
   set(CPACK_DEB_COMPONENT_INSTALL ON)
   set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PACKAGE_SECTION math)
+  set(CPACK_STRIP_FILES ON)
+
+  set(CPACK_COMPONENTS_ALL ${development_component})
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_NAME ${development_component})
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_ARCHITECTURE all)
-  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev, libboost-dev")
+  set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_DEPENDS
+    "libcgal-dev (>= 5.5), libeigen3-dev, libboost-dev, libgmp-dev, libmpfr-dev")
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SUGGESTS
     "libtbb-dev, libocct-data-exchange-dev, libmedc-dev, lib3mf-dev, libjs-three")
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER-DEV_PACKAGE_SECTION libdevel)
+
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER_PACKAGE_NAME ${programs_component})
   set(CPACK_DEBIAN_PARAMETRIC-SURFACE-MESHER_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_STRIP_FILES ON)
+
+  # (python/CMakeLists.txt tells what it depends on.)
+  set(python_component python3-parametric-surface-mesher)
+  set(CPACK_DEBIAN_PYTHON3-PARAMETRIC-SURFACE-MESHER_PACKAGE_NAME ${python_component})
+  set(CPACK_DEBIAN_PYTHON3-PARAMETRIC-SURFACE-MESHER_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON3-PARAMETRIC-SURFACE-MESHER_PACKAGE_SUGGESTS "python3-matplotlib")
+  set(CPACK_DEBIAN_PYTHON3-PARAMETRIC-SURFACE-MESHER_PACKAGE_SECTION python)
+
+  # Which programs were built is known when packages are made: without them, their packages would be empty.
+  set(built_components "")
+  foreach(target_and_component "mesh_patch:${programs_component}" "parametric_surface_mesher_python:${python_component}")
+    string(REPLACE ":" ";" target_and_component "${target_and_component}")
+    list(GET target_and_component 0 target)
+    list(GET target_and_component 1 component)
+    if(TARGET ${target})
+      string(APPEND built_components
+        "if(EXISTS \"$<TARGET_FILE:${target}>\")\n  list(APPEND CPACK_COMPONENTS_ALL ${component})\nendif()\n")
+    endif()
+  endforeach()
+  set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_BINARY_DIR}/CPackComponents.cmake)
+  file(GENERATE OUTPUT ${CPACK_PROJECT_CONFIG_FILE} CONTENT "${built_components}")
   include(CPack)
 endif()

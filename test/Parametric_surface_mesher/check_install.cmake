@@ -43,3 +43,11 @@ else()
   configure_user("Open_cascade" "Open_cascade: Open CASCADE 7.5 or later is not found")
 endif()
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/examples/Parametric_surface_mesher -B ${WORK_DIR}/examples -DCMAKE_PREFIX_PATH=${WORK_DIR}/installed)
+
+# Programs and the Python module are installed if they were built, and the module as a whole.
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/all)
+file(GLOB_RECURSE module ${WORK_DIR}/all/*/parametric_surface_mesher/__init__.py)
+file(GLOB_RECURSE compiled ${WORK_DIR}/all/*/parametric_surface_mesher/_core.*.so ${WORK_DIR}/all/*/parametric_surface_mesher/_core.*.pyd)
+if(module AND NOT compiled OR compiled AND NOT module)
+  message(FATAL_ERROR "Only a part of the Python module is installed: ${module} ${compiled}")
+endif()
