@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # This file is part of Parametric_surface_mesher, an extension package of CGAL.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds links of the manual to files and places that do not exist, and paths of the machine that it was made on.
+"""Finds links of the manual to files and places that do not exist, pictures that no page shows, and paths of the machine that it was
+made on.
 
-Usage: check_manual_links.py FOLDER FORBIDDEN_TEXT
+Usage: check_manual_links.py FOLDER FORBIDDEN_TEXT FOLDER_OF_PICTURES
 """
 import html.parser
 import os
@@ -26,9 +27,11 @@ class Page(html.parser.HTMLParser):
 
 
 def main():
-    folder, forbidden = sys.argv[1:]
+    folder, forbidden, pictures = sys.argv[1:]
     pages = {name: Page(os.path.join(folder, name)) for name in sorted(os.listdir(folder)) if name.endswith(".html")}
     faults = [name + " has " + forbidden for name, page in pages.items() if forbidden in page.text]
+    shown = {os.path.basename(link) for page in pages.values() for link in page.links}
+    faults += [name + " is shown nowhere" for name in sorted(os.listdir(pictures)) if name not in shown]
     for name, page in pages.items():
         for link in page.links:
             url = urllib.parse.urlsplit(link)

@@ -106,7 +106,7 @@ Bezier_surface_3<Kernel> read_bezier_patch(Number_line_reader& reader, const std
 namespace IO {
 
 /*!
-\ingroup PkgParametricSurfaceMesherIO
+\ingroup PkgParametricSurfaceMesherSurfaces
 
 reads Bezier patches in the `.bpt` format, known from the Utah teapot: the number of patches, then for each patch a
 line with the degrees in the `u` and `v` direction and a line for each control point, where the number in the `u`
@@ -140,7 +140,7 @@ std::vector<Bezier_surface_3<Kernel> > read_bezier_patches(std::istream& input, 
 }
 
 /*!
-\ingroup PkgParametricSurfaceMesherIO
+\ingroup PkgParametricSurfaceMesherSurfaces
 
 reads Bezier patches from the file with the name `file_name`.
 
