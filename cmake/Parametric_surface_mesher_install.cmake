@@ -29,6 +29,7 @@ install(FILES
   cmake/Parametric_surface_mesher_Med_support.cmake
   cmake/Parametric_surface_mesher_Page_support.cmake
   cmake/Parametric_surface_mesher_3mf_support.cmake
+  cmake/Parametric_surface_mesher_optional_libraries.cmake
   cmake/Parametric_surface_mesher_programs.cmake
   cmake/make_mesh_page_source.cmake
   ${PROJECT_BINARY_DIR}/Parametric_surface_mesherConfig.cmake
