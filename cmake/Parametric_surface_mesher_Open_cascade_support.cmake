@@ -8,23 +8,37 @@ if(OpenCASCADE_FOUND AND OpenCASCADE_VERSION VERSION_LESS 7.5)
   set(OpenCASCADE_FOUND FALSE)
 endif()
 if(OpenCASCADE_FOUND AND NOT TARGET Parametric_surface_mesher::Open_cascade_support)
-  add_library(Parametric_surface_mesher::Open_cascade_support INTERFACE IMPORTED)
   # since version 7.8 the readers of files have other names
   if(TARGET TKDESTEP)
-    set(open_cascade_readers TKDESTEP TKDEIGES)
+    set(open_cascade_targets TKDESTEP TKDEIGES)
   else()
-    set(open_cascade_readers TKXDESTEP TKXDEIGES TKSTEP TKSTEPBase TKIGES)
+    set(open_cascade_targets TKXDESTEP TKXDEIGES TKSTEP TKSTEPBase TKIGES)
   endif()
   # The writer of .glb files, which are in the package of the readers.
   foreach(name TKDEGLTF TKRWMesh)
     if(TARGET ${name})
-      list(APPEND open_cascade_readers ${name})
+      list(APPEND open_cascade_targets ${name})
     endif()
   endforeach()
+  list(APPEND open_cascade_targets TKOffset TKBool TKBO TKXCAF TKLCAF TKCAF TKCDF TKXSBase TKShHealing TKTopAlgo TKBRep TKGeomAlgo TKGeomBase
+    TKG3d TKG2d TKMath TKernel)
+  # Shared libraries are linked as files. As targets, they bring along all that they are linked with themselves, such as fontconfig, which
+  # is not among the packages that Debian installs with them.
+  set(open_cascade_libraries "")
+  foreach(target IN LISTS open_cascade_targets)
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL SHARED_LIBRARY)
+      list(APPEND open_cascade_libraries $<TARGET_LINKER_FILE:${target}>)
+    else()
+      list(APPEND open_cascade_libraries ${target})
+    endif()
+  endforeach()
+  add_library(Parametric_surface_mesher::Open_cascade_support INTERFACE IMPORTED)
   set_target_properties(Parametric_surface_mesher::Open_cascade_support PROPERTIES
     INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${OpenCASCADE_INCLUDE_DIR}"
     INTERFACE_INCLUDE_DIRECTORIES "${OpenCASCADE_INCLUDE_DIR}"
     INTERFACE_COMPILE_DEFINITIONS CGAL_PARAMETRIC_SURFACE_MESHER_USE_OPEN_CASCADE
-    INTERFACE_LINK_LIBRARIES "${open_cascade_readers};TKOffset;TKBool;TKBO;TKXCAF;TKLCAF;TKCAF;TKCDF;TKXSBase;TKShHealing;TKTopAlgo;TKBRep;TKGeomAlgo;TKGeomBase;TKG3d;TKG2d;TKMath;TKernel")
-  unset(open_cascade_readers)
+    INTERFACE_LINK_LIBRARIES "${open_cascade_libraries}")
+  unset(open_cascade_targets)
+  unset(open_cascade_libraries)
 endif()

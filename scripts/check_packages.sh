@@ -87,4 +87,10 @@ inside sh -c 'g++ -std=c++17 -O1 /hill/hill.cpp $(pkg-config --cflags --libs par
 quietly inside cmake -S /usr/share/doc/Parametric_surface_mesher/examples/Parametric_surface_mesher -B /examples
 quietly inside cmake --build /examples --target mesh_own_formula
 inside /examples/mesh_own_formula
+if inside sh -c 'command -v mesh_cad' > /dev/null; then
+  quietly inside apt-get install -y -qq --no-install-recommends libocct-data-exchange-dev
+  quietly inside cmake -S /usr/share/doc/Parametric_surface_mesher/examples/Parametric_surface_mesher -B /examples
+  quietly inside cmake --build /examples --target mesh_cad_shape
+  inside /examples/mesh_cad_shape /drilled_box.msh
+fi
 echo "== The packages work"

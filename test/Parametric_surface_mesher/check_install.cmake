@@ -16,10 +16,13 @@ endfunction()
 # `sentence`: a regular expression that the error has, empty if there is none
 function(configure_user components sentence)
   file(WRITE ${WORK_DIR}/user/CMakeLists.txt "cmake_minimum_required(VERSION 3.16)\nproject(User CXX)\n"
-    "find_package(Parametric_surface_mesher REQUIRED COMPONENTS ${components})\n")
+    "find_package(Parametric_surface_mesher REQUIRED COMPONENTS ${components})\n"
+    "add_executable(user user.cpp)\nif(TARGET Parametric_surface_mesher::Open_cascade_support)\n"
+    "target_link_libraries(user Parametric_surface_mesher::Open_cascade_support)\nendif()\n")
+  file(WRITE ${WORK_DIR}/user/user.cpp "int main() {}\n")
   file(REMOVE_RECURSE ${WORK_DIR}/user_build)
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK_DIR}/user -B ${WORK_DIR}/user_build -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_PREFIX_PATH=${WORK_DIR}/installed RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE errors)
+    -G "Unix Makefiles" -DCMAKE_PREFIX_PATH=${WORK_DIR}/installed RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE errors)
   if(sentence STREQUAL "" AND NOT status EQUAL 0)
     message(FATAL_ERROR "Components ${components}: ${errors}")
   endif()
@@ -39,6 +42,11 @@ configure_user("" "")
 configure_user("Nothing" "Nothing: there is no such component")
 if(HAS_OPEN_CASCADE)
   configure_user("Open_cascade" "")
+  # Open CASCADE's own targets would ask for it, and Debian does not install it with them.
+  file(STRINGS ${WORK_DIR}/user_build/CMakeFiles/user.dir/link.txt link_line)
+  if(link_line MATCHES "fontconfig" OR NOT link_line MATCHES "TKernel")
+    message(FATAL_ERROR "A program with CAD files is linked by: ${link_line}")
+  endif()
 else()
   configure_user("Open_cascade" "Open_cascade: Open CASCADE 7.5 or later is not found")
 endif()
