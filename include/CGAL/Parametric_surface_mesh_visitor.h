@@ -24,8 +24,11 @@ The default visitor of the meshing functions, which does nothing. Derive from it
 struct Parametric_surface_mesh_visitor
 {
   /// called when a phase begins: `"division"`, `"triangulation"`, `"refinement"`, `"smoothing"`, `"improvement"`,
-  /// `"polishing"`, `"curing"`, `"output"`.
+  /// `"polishing"`, `"curing"`, `"intersections"`, `"output"`.
   void on_phase(const char* /* name */) {}
+
+  /// called when a face begins, the `number`-th, from 1, of `number_of_faces`.
+  void on_face(std::size_t /* number */, std::size_t /* number_of_faces */) {}
 
   /// called during refinement, once for some hundred new vertices, with the number of vertices so far and an upper bound
   /// of the number of triangles still waiting.

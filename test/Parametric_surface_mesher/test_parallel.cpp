@@ -166,6 +166,37 @@ TEST(Parallel, triangle_soup)
   EXPECT_EQ(ids_a, ids_b);
 }
 
+// Each face counts once. A visitor need not have the function.
+TEST(Parallel, visitors_are_told_of_faces)
+{
+  struct Face_counter : CGAL::Parametric_surface_mesh_visitor
+  {
+    std::vector<std::size_t> numbers;
+
+    void on_face(std::size_t number, std::size_t number_of_faces)
+    {
+      EXPECT_EQ(number_of_faces, 6u);
+      numbers.push_back(number);
+    }
+  };
+  struct Visitor_without_faces
+  {
+    void on_phase(const char*) {}
+    void on_progress(std::size_t, std::size_t) {}
+    bool go_further() { return true; }
+  };
+  const Sample_model sample = make_sample_model("box");
+  const Criteria criteria = Criteria().set_max_edge(sample.edge_length(300));
+  Face_counter one, several;
+  Visitor_without_faces none;
+  Mesh mesh;
+  CGAL::make_parametric_surface_mesh(sample.model, criteria, mesh, CGAL::parameters::visitor(std::ref(one)));
+  CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(sample.model, criteria, mesh, CGAL::parameters::visitor(std::ref(several)));
+  CGAL::make_parametric_surface_mesh(sample.model, criteria, mesh, CGAL::parameters::visitor(std::ref(none)));
+  EXPECT_EQ(one.numbers, (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(several.numbers, one.numbers);
+}
+
 // Edges across both sides of a pillow would join the same vertices. With threads, too, no side is meshed twice.
 TEST(Parallel, faces_with_common_chords)
 {

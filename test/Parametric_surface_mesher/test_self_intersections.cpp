@@ -19,9 +19,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <random>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -95,6 +97,26 @@ TEST(Self_intersections, are_refined)
   EXPECT_TRUE(report.intersections.empty());
   EXPECT_LT(fine.number_of_faces(), 12 * coarse.number_of_faces());
   EXPECT_LT(25., report.smallest_angle);
+}
+
+// Who stops when the search begins has the whole mesh of the first round, and is told that the rest was not done.
+TEST(Self_intersections, a_stop_before_the_search_keeps_the_mesh)
+{
+  struct Stopping_visitor : CGAL::Parametric_surface_mesh_visitor
+  {
+    bool is_stopping = false;
+    void on_phase(const char* name) { is_stopping = is_stopping || name == std::string("intersections"); }
+    bool go_further() { return !is_stopping; }
+  };
+  Mesh ignored, stopped;
+  Stopping_visitor visitor;
+  mesh(spheres({1, 1.02}), coarse_criteria(Self_intersections::IGNORED), ignored);
+  const Report report = CGAL::make_parametric_surface_mesh(spheres({1, 1.02}), coarse_criteria(Self_intersections::REFINED), stopped,
+                                                           CGAL::parameters::visitor(std::ref(visitor)));
+  EXPECT_TRUE(report.is_stopped);
+  EXPECT_TRUE(report.unmet.empty());
+  ASSERT_EQ(ignored.number_of_vertices(), stopped.number_of_vertices());
+  EXPECT_TRUE(std::equal(ignored.points().begin(), ignored.points().end(), stopped.points().begin()));
 }
 
 TEST(Self_intersections, leave_a_good_mesh_as_it_is)

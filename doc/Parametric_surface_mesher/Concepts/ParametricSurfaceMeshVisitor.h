@@ -10,11 +10,18 @@ class ParametricSurfaceMeshVisitor
 {
 public:
   /// called when a phase begins: `"division"` of the edges, `"triangulation"` of the boundary of a patch, `"refinement"`,
-  /// `"smoothing"`, `"improvement"`, `"polishing"`, `"curing"` of the whole mesh, `"output"`. With smoothing there is refinement before
-  /// and after it, and some patches are refined and improved once more; only some are polished. Division and output come once, and
-  /// curing only if detail may vanish; for a model of several patches, or for parts of a large patch, the phases from triangulation to
+  /// `"smoothing"`, `"improvement"`, `"polishing"`, `"curing"` of the whole mesh, `"intersections"`, `"output"`. With smoothing there is
+  /// refinement before and after it, and some patches are refined and improved once more; only some are polished. Division and output come
+  /// once, curing only if detail may vanish, and intersections only if they are looked for; where some are found, a model may be meshed
+  /// again, from its division on. For a model of several patches, or for parts of a large patch, the phases from triangulation to
   /// polishing alternate.
   void on_phase(const char* name);
+
+  /// called when a face of a model begins. A visitor need not have this function. With threads several faces are at work at the same time;
+  /// if a model is meshed again, its faces are counted from 1 again, with those that keep their triangles.
+  /// \param number how many faces have begun, with this one
+  /// \param number_of_faces how many there are
+  void on_face(std::size_t number, std::size_t number_of_faces);
 
   /// called during refinement, once for some hundred new vertices. A patch that may be split is first refined as a coarse
   /// sketch, which has its own vertices.

@@ -43,12 +43,16 @@ std::vector<std::vector<std::size_t>> solids(const Model& model, const Mesh& mes
 }
 
 // Looks for intersections and folds in a mesh, as far as the criteria ask for that. Returns whether the model is to be meshed again, with
-// the sizes of `refinement`; else what is left is in the report.
+// the sizes of `refinement`; else what is left is in the report. Whoever stops here has the mesh as it is.
 template <class Model, class Mesh>
-bool is_to_be_refined(const Model& model, const Parametric_surface_mesh_criteria& criteria, const Mesh& mesh,
+bool is_to_be_refined(const Model& model, const Parametric_surface_mesh_criteria& criteria, const Mesh& mesh, Mesh_progress& progress,
                       std::optional<Intersection_refinement<Model>>& refinement, Parametric_surface_mesh_report& report)
 {
   if(criteria.self_intersections() == Self_intersections::IGNORED || report.is_stopped)
+    return false;
+  progress.on_phase("intersections");
+  report.is_stopped = progress.is_stopped();
+  if(report.is_stopped)
     return false;
   Phase_timer timer(report.seconds.intersections);
   const Intersection_search<typename Model::Geom_traits> search(mesh);
@@ -90,7 +94,7 @@ void mesh_apart(const Model& model, const Criteria& criteria, const MetricField&
                                     kept_faces, report);
     auto division = mesher.divide();
     mesher.template mesh_faces<ConcurrencyTag>(division, number_points, mesh);
-    is_done = !is_to_be_refined(model, criteria, mesh, refinement, report);
+    is_done = !is_to_be_refined(model, criteria, mesh, progress, refinement, report);
     if(is_done)
       finish(division, mesher.meeting_points());
     else

@@ -210,7 +210,9 @@ private:
   void run(std::vector<Face_job>& jobs, const Faces_of_points& faces_of_points, const Mesh& mesh)
   {
     std::size_t number_of_vertices = mesh.number_of_points(); // of the faces before, if these are done
+    m_progress.begin_faces(jobs.size());
     for_each_job<ConcurrencyTag>(jobs, [&](auto tag, Face_job& job) {
+      m_progress.on_face();
       run_and_collect(tag, job, number_of_vertices, faces_of_points, mesh);
       if(!is_parallel<ConcurrencyTag>())
         number_of_vertices += job.number_of_inner_vertices();

@@ -13,10 +13,18 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Parametric_surface_mesher {
 namespace internal {
+
+template <class Visitor, class = void>
+struct Is_told_of_faces : std::false_type {};
+
+template <class Visitor>
+struct Is_told_of_faces<Visitor, std::void_t<decltype(std::declval<Visitor&>().on_face(std::size_t(), std::size_t()))>> : std::true_type {};
 
 // The visitor of a run, for all threads of the run: they call it one at a time. Once it has said that the run is to stop, the
 // run is stopped, and it is not asked again.
@@ -30,7 +38,9 @@ class Mesh_progress
 
   std::function<void(const char*)> m_on_phase;
   std::function<void(std::size_t, std::size_t)> m_on_progress;
+  std::function<void(std::size_t, std::size_t)> m_on_face; // empty if the visitor has no such function
   std::function<bool()> m_go_further;
+  std::size_t m_number_of_faces = 0, m_number_of_begun_faces = 0;
   std::mutex m_mutex;
   std::atomic<bool> m_is_stopped{false};
   std::atomic<Clock::rep> m_next_question{0}; // by the clock
@@ -47,7 +57,10 @@ public:
         visitor.on_progress(number_of_vertices, number_of_bad_faces);
       }),
       m_go_further([&visitor] { return visitor.go_further(); })
-  {}
+  {
+    if constexpr(Is_told_of_faces<Visitor>::value)
+      m_on_face = [&visitor](std::size_t number, std::size_t number_of_faces) { visitor.on_face(number, number_of_faces); };
+  }
 
   // it is shared by reference
   Mesh_progress(const Mesh_progress&) = delete;
@@ -73,6 +86,23 @@ public:
     const std::lock_guard<std::mutex> lock(m_mutex);
     m_on_progress(number_of_vertices, number_of_bad_faces);
     ask();
+  }
+
+  // So many faces are going to begin.
+  void begin_faces(std::size_t number_of_faces)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_number_of_faces = number_of_faces;
+    m_number_of_begun_faces = 0;
+  }
+
+  // A face begins.
+  void on_face()
+  {
+    if(!m_on_face)
+      return;
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_on_face(++m_number_of_begun_faces, m_number_of_faces);
   }
 
   // Asks the visitor, if it is time to.
