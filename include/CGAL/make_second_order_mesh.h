@@ -12,6 +12,7 @@
 
 #include <CGAL/Parametric_domain_2.h>
 #include <CGAL/Parametric_surface_mesh_parameters.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/pieces_of_patches.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/model_of_patch.h>
 #include <CGAL/Parametric_surface_mesher/internal/second_order/Distance_from_surface.h>
 #include <CGAL/Parametric_surface_mesher/internal/second_order/Mesh_in_model.h>
@@ -20,8 +21,12 @@
 #include <CGAL/Second_order_mesh_report.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
 
 namespace CGAL {
 
@@ -114,6 +119,9 @@ as nodes, it measures that of the straight triangles.
 The points are those whose barycentric coordinates are multiples of `1/subdivisions`. The closest points are looked for nearby: the
 result is never less than the distance of one of the points, of the whole surface.
 
+\tparam ConcurrencyTag `Sequential_tag` (default), `Parallel_tag` or `Parallel_if_available_tag`. With threads the result is the same. `tm` and
+the maps are read by all of them, copies of surfaces are evaluated as `ParametricSurface_3` tells
+
 \param model the model that the mesh was made of
 \param tm the mesh
 \param points the node of each edge: a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
@@ -121,20 +129,23 @@ result is never less than the distance of one of the points, of the whole surfac
 \param np a sequence of named parameters, as for `make_second_order_mesh()`
 \param subdivisions the number of pieces into which a side of a triangle is cut
 */
-template <class Surface, class TriangleMesh, class MidSidePointMap, class NamedParameters>
+template <class ConcurrencyTag = Sequential_tag, class Surface, class TriangleMesh, class MidSidePointMap, class NamedParameters>
 double second_order_mesh_distance(const Parametric_surface_model_3<Surface>& model, const TriangleMesh& tm,
                                   const MidSidePointMap& points, const NamedParameters& np, unsigned int subdivisions = 6)
 {
   using namespace Parametric_surface_mesher::internal;
   const auto mesh = make_mesh_in_model(tm, np);
-  double result = 0;
-  for(const auto f : faces(tm)) {
-    const Distance_from_surface<Surface> distance(model.faces()[mesh.patch(f)].surface, subdivisions);
-    const auto [h, i, k] = mesh.sides(f);
-    result = (std::max)(result, distance(mesh.template curved_triangle<typename Surface::Geom_traits>(f, points),
-                                         {mesh.source_uv(h), mesh.source_uv(i), mesh.source_uv(k)}));
-  }
-  return result;
+  const auto pieces = pieces_of_patches(faces(tm), [&](auto f) { return mesh.patch(f); });
+  std::vector<double> distances(pieces.size());
+  for_each_piece<ConcurrencyTag>(model, pieces, [&](const auto& piece, std::size_t i, const Surface& surface) {
+    const Distance_from_surface<Surface> distance(surface, subdivisions);
+    for(const auto f : piece.faces) {
+      const auto [h, j, k] = mesh.sides(f);
+      distances[i] = (std::max)(distances[i], distance(mesh.template curved_triangle<typename Surface::Geom_traits>(f, points),
+                                                       {mesh.source_uv(h), mesh.source_uv(j), mesh.source_uv(k)}));
+    }
+  });
+  return std::accumulate(distances.begin(), distances.end(), 0., [](double a, double b) { return (std::max)(a, b); });
 }
 
 /*!
@@ -142,11 +153,12 @@ double second_order_mesh_distance(const Parametric_surface_model_3<Surface>& mod
 
 measures the distance, as above, of the mesh of one surface.
 */
-template <class Surface, class Kernel, class TriangleMesh, class MidSidePointMap, class NamedParameters>
+template <class ConcurrencyTag = Sequential_tag, class Surface, class Kernel, class TriangleMesh, class MidSidePointMap, class NamedParameters>
 double second_order_mesh_distance(const Surface& surface, const Parametric_domain_2<Kernel>& domain, const TriangleMesh& tm,
                                   const MidSidePointMap& points, const NamedParameters& np, unsigned int subdivisions = 6)
 {
-  return second_order_mesh_distance(Parametric_surface_mesher::internal::model_of_patch(surface, domain), tm, points, np, subdivisions);
+  return second_order_mesh_distance<ConcurrencyTag>(Parametric_surface_mesher::internal::model_of_patch(surface, domain), tm, points, np,
+                                                    subdivisions);
 }
 
 } // namespace CGAL
