@@ -297,6 +297,7 @@ def _loop(loop: LoopLike) -> List[_core.Curve]:
     except (TypeError, ValueError):
         points = []
     if len(points) < 3:
-        raise ValueError("a loop is a list of three or more points (u, v), a Curve that closes, or a list of Curves, each beginning where "
-                         f"the one before ends, not {loop!r}")
+        raise ValueError("a domain is a rectangle ((u_min, u_max), (v_min, v_max)) or a loop, and a loop is a list of three or more points "
+                         "(u, v), a Curve that closes, or a list of Curves, each beginning where the one before ends; neither is "
+                         f"{loop!r}")
     return [_core.Curve.segment(points[i], points[(i + 1) % len(points)]) for i in range(len(points))]

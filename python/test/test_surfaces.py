@@ -173,7 +173,8 @@ class Formulas(unittest.TestCase):
         for action, error, hint in (
                 (lambda: psm.Curve(3, 0, 1), TypeError, "^a curve is made from"),
                 (lambda: psm.Curve.segment((0, 0, 1), (1, 1)), ValueError, r"is \(u, v\)"),
-                (lambda: psm.mesh_surface(HILL, 3), ValueError, "^a loop is"),
+                (lambda: psm.mesh_surface(HILL, 3), ValueError, "^a domain is a rectangle .* a loop is"),
+                (lambda: psm.mesh_surface(HILL, (-1, 1, -1, 1)), ValueError, "rectangle \\(\\(u_min, u_max\\), \\(v_min, v_max\\)\\)"),
                 (lambda: psm.mesh_surface(HILL, SQUARE, holes=circle), ValueError, "^holes: "),
                 (lambda: psm.mesh_surface(HILL, SQUARE, threads=0), ValueError, "^threads: "),
                 (lambda: psm.mesh_surface(HILL, SQUARE, sweeps=2.5), TypeError, "^sweeps: 2.5 must be a whole number"),

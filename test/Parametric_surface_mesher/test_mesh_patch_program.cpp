@@ -454,6 +454,7 @@ TEST_F(Mesh_patch_program, refuses_bad_files)
 {
   expect_refused("nothing", "peak");
   expect_refused("missing.bpt", "missing.bpt");
+  expect_refused("part.STEP", "mesh_cad");
   std::ofstream(file("bad.bpt")) << "1\n3 3\n0 0 zero\n";
   expect_refused("bad.bpt --out out.off", "bad.bpt, line 3");
   expect_refused("flat --out out.vtk", ".ply");

@@ -110,6 +110,20 @@ TEST(Open_cascade_files, what_is_no_shape_is_refused)
   }
 }
 
+// Open CASCADE takes a folder for a file that is too large for the memory.
+TEST(Open_cascade_files, folders_are_refused)
+{
+  const std::string folder = temporary_file("folder.step");
+  std::filesystem::create_directory(folder);
+  try {
+    CGAL::IO::read_open_cascade_shape(folder);
+    ADD_FAILURE() << "read a folder";
+  }
+  catch(const CGAL::Parametric_surface_mesh_error& error) {
+    EXPECT_NE(std::string(error.what()).find("is a folder"), std::string::npos) << error.what();
+  }
+}
+
 std::string content(const std::string& file_name)
 {
   std::ifstream file(file_name, std::ios::binary);

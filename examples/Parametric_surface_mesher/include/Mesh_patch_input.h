@@ -13,6 +13,7 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/IO/read_bezier_patches.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
+#include <CGAL/Parametric_surface_mesher/internal/support/ending_of.h>
 #include <CGAL/make_model_of_rectangular_patches.h>
 
 #include <algorithm>
@@ -103,6 +104,9 @@ inline Mesh_patch_input named_surface(const Mesh_patch_options& options)
 {
   if(contains(sample_model_names(), options.surface))
     return model_input(options.surface, divided(make_sample_model(options.surface), options).model);
+  const std::string ending = CGAL::Parametric_surface_mesher::internal::ending_of(options.surface);
+  if(contains({"step", "stp", "iges", "igs", "brep"}, ending))
+    throw Usage_error("'" + options.surface + "' is a CAD file, which the program mesh_cad reads");
   if(!contains(sample_patch_names(), options.surface))
     throw Usage_error("'" + options.surface + "' is not a surface: expected a file that ends in .bpt or one of "
                       + joined(all_sample_names()));

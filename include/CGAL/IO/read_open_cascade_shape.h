@@ -15,6 +15,9 @@
 
 #include <TopoDS_Shape.hxx>
 
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -47,8 +50,11 @@ inline TopoDS_Shape read_open_cascade_shape(const std::string& file_name, const 
                                             Open_cascade_names_3& names)
 {
   using namespace Parametric_surface_mesher::internal;
+  errno = 0;
   if(!std::ifstream(file_name))
-    throw Parametric_surface_mesh_error("cannot open " + file_name);
+    throw Parametric_surface_mesh_error("cannot open " + file_name + (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+  if(std::filesystem::is_directory(file_name))
+    throw Parametric_surface_mesh_error(file_name + " is a folder, not a file");
   const std::string ending = ending_of(file_name);
   if(ending != "brep" && ending != "rle" && ending != "step" && ending != "stp" && ending != "iges" && ending != "igs")
     throw Parametric_surface_mesh_error(file_name + ": expected a file that ends in .step, .stp, .iges, .igs, .brep or .rle");
