@@ -62,6 +62,14 @@ done < <(cat "$package/package_info/$name/dependencies" "$package/doc/$name/depe
 while read -r example; do
   [ -e "$package/examples/$example" ] || fail "doc/$name/examples.txt lists $example, which does not exist."
 done < <(sed -n 's/^\\example //p' "$package/doc/$name/examples.txt")
+# The commands of the manual are those of CGAL's manual, whose files are in git only.
+manual=$tree/Documentation/doc
+if [ -d "$manual/resources" ]; then
+  grep -rhoE '\\cgal[A-Za-z]+' "$package/doc" "$package/include" | sort -u | tr -d '\\' | while read -r command; do
+    grep -rqE "\"$command(\{[0-9]\})?=" "$manual/resources" "$manual/CMakeLists.txt" \
+      || fail "The manual has the command $command, which that of CGAL has not."
+  done
+fi
 # In a release, the headers of all packages are in one folder, and so are the executables of each kind in CGAL's own builds.
 (cd "$package/include" && find . -type f) | while read -r header; do
   for other in "$tree"/*/include/"$header"; do

@@ -35,8 +35,7 @@ tensors vary, the empty-ellipse property is a local one, and
 - the triangulation may depend on the order of insertion;
 - do not call `remove()`, which assumes one global metric.
 
-\cgalModels `DelaunayTriangulationTraits_2`
-\cgalModels `ConstrainedDelaunayTriangulationTraits_2`
+\cgalModels{DelaunayTriangulationTraits_2,ConstrainedDelaunayTriangulationTraits_2}
 
 \tparam Kernel a model of `Kernel` with exact predicates on `double` coordinates
 \tparam Point `Parametric_point_2<Kernel>`, or a class that derives from it

@@ -29,7 +29,7 @@ It costs a virtual call for each evaluation. A copy has a copy of the surface th
 
 \tparam Kernel the kernel of the surfaces, their `Geom_traits`
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 */
 template <class Kernel>
 class Any_parametric_surface_3

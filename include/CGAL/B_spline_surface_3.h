@@ -42,7 +42,7 @@ the surface is polynomial or the weight there is a power of 2, else up to roundi
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 
 \sa `CGAL::Bezier_surface_3`
 */

@@ -32,7 +32,7 @@ At the corners `point()` returns the control points exactly.
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 
 \sa `CGAL::B_spline_surface_3`
 \sa `CGAL::IO::read_bezier_patches()`

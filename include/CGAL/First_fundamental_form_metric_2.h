@@ -23,7 +23,7 @@ The default metric field: the first fundamental form `M = J^T J` of the surface,
 length in space. Its ellipses in the domain are the images of circles on the surface, so
 triangles come out equilateral in 3D.
 
-\cgalModels `ParametricSurfaceMetricField_2`
+\cgalModels{ParametricSurfaceMetricField_2}
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 */

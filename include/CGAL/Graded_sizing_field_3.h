@@ -30,7 +30,7 @@ namespace CGAL {
 
 An edge length that is wanted in a part of space, and grows outside with the distance from it.
 
-\cgalModels `ParametricSurfaceSizingField_3`
+\cgalModels{ParametricSurfaceSizingField_3}
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 

@@ -31,7 +31,7 @@ Edge lengths that are known at the nodes of a mesh, for instance from the error 
 triangle or tetrahedron. A point that is in no tetrahedron gets the length at the closest point of the triangles and of the boundary of the
 tetrahedra.
 
-\cgalModels `ParametricSurfaceSizingField_3`
+\cgalModels{ParametricSurfaceSizingField_3}
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 

@@ -24,7 +24,7 @@ namespace CGAL {
 
 Several sizing fields, of which the least edge length counts at each point.
 
-\cgalModels `ParametricSurfaceSizingField_3`
+\cgalModels{ParametricSurfaceSizingField_3}
 
 \tparam Point_3 the type of points
 

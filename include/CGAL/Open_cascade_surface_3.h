@@ -44,7 +44,7 @@ surfaces (offsets, extrusions, surfaces of revolution) are evaluated by Open CAS
 Copies share a surface of this package. Open CASCADE keeps caches in its own surfaces: if `is_evaluated_by_open_cascade()`,
 a copy has a surface of its own, so that copies can be evaluated by several threads at the same time; one object cannot.
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 */
 class Open_cascade_surface_3
 {

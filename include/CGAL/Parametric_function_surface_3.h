@@ -104,7 +104,7 @@ Automatic differentiation is exact up to rounding, and costs three to four times
 \tparam Function a callable `f(u, v)` as described above. It must be copyable, and its call operator `const`
 \tparam Kernel a model of `Kernel` with `double` as number type
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 
 \sa `CGAL::make_parametric_function_surface()`
 \sa `CGAL::Parametric_jet_surface_3`
@@ -188,7 +188,7 @@ The surface of a function that returns its derivatives itself.
 \tparam Point_function a callable that returns a `Kernel::Point_3` for two `double`s, cheaper than the jet.
                        It must return the same point as the jet. By default the point is taken from the jet
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 
 \sa `CGAL::make_parametric_jet_surface()`
 */

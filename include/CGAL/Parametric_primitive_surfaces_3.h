@@ -33,7 +33,7 @@ The plane `S(u,v) = origin + u a + v b`.
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 */
 template <class Kernel = Exact_predicates_inexact_constructions_kernel>
 class Parametric_plane_3
@@ -90,7 +90,7 @@ The cylinder `S(u,v) = (r cos u, r sin u, v)` in the coordinates of a frame.
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 */
 template <class Kernel = Exact_predicates_inexact_constructions_kernel>
 class Parametric_cylinder_3
@@ -128,7 +128,7 @@ where the surface has no tangent plane.
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 */
 template <class Kernel = Exact_predicates_inexact_constructions_kernel>
 class Parametric_cone_3
@@ -174,7 +174,7 @@ The sphere `S(u,v) = (r cos v cos u, r cos v sin u, r sin v)` in the coordinates
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 */
 template <class Kernel = Exact_predicates_inexact_constructions_kernel>
 class Parametric_sphere_3
@@ -212,7 +212,7 @@ touches itself.
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 */
 template <class Kernel = Exact_predicates_inexact_constructions_kernel>
 class Parametric_torus_3

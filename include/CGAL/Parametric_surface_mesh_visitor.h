@@ -19,7 +19,7 @@ namespace CGAL {
 
 The default visitor of the meshing functions, which does nothing. Derive from it to show progress or to stop early.
 
-\cgalModels `ParametricSurfaceMeshVisitor`
+\cgalModels{ParametricSurfaceMeshVisitor}
 */
 struct Parametric_surface_mesh_visitor
 {

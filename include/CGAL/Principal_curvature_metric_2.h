@@ -44,7 +44,7 @@ singular points of the parametrisation no direction is distinguished; there `k` 
 fundamental form. Near an umbilic `k` tends to 1, so the field is continuous there; at a flat
 point it need not be.
 
-\cgalModels `ParametricSurfaceMetricField_2`
+\cgalModels{ParametricSurfaceMetricField_2}
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 */

@@ -31,7 +31,7 @@ On the sides of the rectangle `jet()` returns the derivatives from within, so th
 
 \tparam Surface a model of `ParametricSurface_3`
 
-\cgalModels `ParametricSurface_3`
+\cgalModels{ParametricSurface_3}
 */
 template <class Surface>
 class Rectangular_patch_3

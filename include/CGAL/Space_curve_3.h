@@ -30,7 +30,7 @@ A curve in space with its first and second derivative: an edge of a model.
 
 \tparam Kernel a model of `Kernel` with `double` as number type
 
-\cgalModels `ParametricCurve_3`
+\cgalModels{ParametricCurve_3}
 */
 template <class Kernel = Exact_predicates_inexact_constructions_kernel>
 class Space_curve_3

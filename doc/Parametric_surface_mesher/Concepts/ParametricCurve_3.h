@@ -4,7 +4,9 @@
 
 A curve in space that can be divided.
 
-\cgalHasModel `CGAL::Parametric_surface_mesher::Curve_on_surface_3<Surface>`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Parametric_surface_mesher::Curve_on_surface_3<Surface>}
+\cgalHasModelsEnd
 */
 class ParametricCurve_3
 {

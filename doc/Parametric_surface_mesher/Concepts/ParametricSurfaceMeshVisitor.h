@@ -4,7 +4,9 @@
 
 Shows the progress of meshing, and can stop it.
 
-\cgalHasModel `CGAL::Parametric_surface_mesh_visitor`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Parametric_surface_mesh_visitor}
+\cgalHasModelsEnd
 */
 class ParametricSurfaceMeshVisitor
 {

@@ -5,8 +5,10 @@
 A metric tensor for each point of the parameter domain. It decides which triangles count as well shaped: those
 that are equilateral under it.
 
-\cgalHasModel `CGAL::First_fundamental_form_metric_2<Kernel>`
-\cgalHasModel `CGAL::Principal_curvature_metric_2<Kernel>`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::First_fundamental_form_metric_2<Kernel>}
+\cgalHasModels{CGAL::Principal_curvature_metric_2<Kernel>}
+\cgalHasModelsEnd
 */
 class ParametricSurfaceMetricField_2
 {

@@ -7,8 +7,10 @@ Where a point is put for a triangle that fails the criteria: a function object, 
 no knowledge of the surface. What is too close to another vertex, or beyond the boundary, is not accepted; then the mesher tries places of its own.
 
 \cgalRefines{CopyConstructible}
-\cgalHasModel `CGAL::Parametric_surface_mesher::Circumcenter_placement`
-\cgalHasModel `CGAL::Parametric_surface_mesher::Off_center_placement`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Parametric_surface_mesher::Circumcenter_placement}
+\cgalHasModels{CGAL::Parametric_surface_mesher::Off_center_placement}
+\cgalHasModelsEnd
 
 The third placement, `FRONTAL` of `CGAL::Parametric_surface_mesher::Mesh_point_placement`, goes through the patch from the boundary inwards; it takes
 circumcentres for what is left.

@@ -18,16 +18,18 @@ has a function `has_independent_copies()` that returns `false`; then faces with 
 A surface need not check its arguments. A value that is not finite is found by the
 mesher and refused with a `CGAL::Parametric_surface_mesh_error` that names the parameter values.
 
-\cgalHasModel `CGAL::Parametric_function_surface_3<Function, Kernel>`
-\cgalHasModel `CGAL::Parametric_plane_3<Kernel>`
-\cgalHasModel `CGAL::Parametric_cylinder_3<Kernel>`
-\cgalHasModel `CGAL::Parametric_cone_3<Kernel>`
-\cgalHasModel `CGAL::Parametric_sphere_3<Kernel>`
-\cgalHasModel `CGAL::Parametric_torus_3<Kernel>`
-\cgalHasModel `CGAL::Bezier_surface_3<Kernel>`
-\cgalHasModel `CGAL::B_spline_surface_3<Kernel>`
-\cgalHasModel `CGAL::Open_cascade_surface_3`
-\cgalHasModel `CGAL::Any_parametric_surface_3<Kernel>`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Parametric_function_surface_3<Function\,Kernel>}
+\cgalHasModels{CGAL::Parametric_plane_3<Kernel>}
+\cgalHasModels{CGAL::Parametric_cylinder_3<Kernel>}
+\cgalHasModels{CGAL::Parametric_cone_3<Kernel>}
+\cgalHasModels{CGAL::Parametric_sphere_3<Kernel>}
+\cgalHasModels{CGAL::Parametric_torus_3<Kernel>}
+\cgalHasModels{CGAL::Bezier_surface_3<Kernel>}
+\cgalHasModels{CGAL::B_spline_surface_3<Kernel>}
+\cgalHasModels{CGAL::Open_cascade_surface_3}
+\cgalHasModels{CGAL::Any_parametric_surface_3<Kernel>}
+\cgalHasModelsEnd
 */
 class ParametricSurface_3
 {

@@ -27,7 +27,7 @@ typedef std::array<double, 3> Triangle_weights;
 
 places a point at the centre of the circumellipse of a triangle (paper, section "Procedure"); of a triangle without area, in its centroid.
 
-\cgalModels `ParametricSurfacePointPlacement`
+\cgalModels{ParametricSurfacePointPlacement}
 */
 class Circumcenter_placement
 {
@@ -52,7 +52,7 @@ public:
 places a point between the middle of the shortest side of a triangle and its circumcentre, where the triangle with that side has a given angle
 (Ungor 2004), or the wanted size if that is farther away.
 
-\cgalModels `ParametricSurfacePointPlacement`
+\cgalModels{ParametricSurfacePointPlacement}
 */
 class Off_center_placement
 {

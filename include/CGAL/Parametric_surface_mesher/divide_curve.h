@@ -36,7 +36,7 @@ namespace Parametric_surface_mesher {
 
 The curve on a surface over a curve in its domain, `t -> S(c(t))`.
 
-\cgalModels `ParametricCurve_3`
+\cgalModels{ParametricCurve_3}
 
 \tparam Surface a model of `ParametricSurface_3`
 */
