@@ -82,8 +82,14 @@ if(is_top_level)
   set(CPACK_DEBIAN_PYTHON3-PARAMETRIC-SURFACE-MESHER_PACKAGE_SUGGESTS "python3-matplotlib")
   set(CPACK_DEBIAN_PYTHON3-PARAMETRIC-SURFACE-MESHER_PACKAGE_SECTION python)
 
-  # Which programs were built is known when packages are made: without them, their packages would be empty.
-  set(built_components "")
+  # Which programs were built is known when packages are made: without them, their packages would be empty. Programs of Debian find out
+  # which packages the libraries are in that they are linked with.
+  set(built_components "find_program(FILE_PROGRAM file)
+find_program(DEPENDENCIES_PROGRAM dpkg-shlibdeps)
+if(CPACK_GENERATOR STREQUAL DEB AND NOT (FILE_PROGRAM AND DEPENDENCIES_PROGRAM))
+  message(FATAL_ERROR \"Making Debian packages needs the programs file and dpkg-shlibdeps; please install them (packages file, dpkg-dev)\")
+endif()
+")
   foreach(target_and_component "mesh_patch:${programs_component}" "parametric_surface_mesher_python:${python_component}")
     string(REPLACE ":" ";" target_and_component "${target_and_component}")
     list(GET target_and_component 0 target)

@@ -36,7 +36,7 @@ inside() {
   chroot "$clean_root" env DEBIAN_FRONTEND=noninteractive "$@"
 }
 
-command -v mmdebstrap > /dev/null || "$root/scripts/install_dependencies.sh" mmdebstrap
+"$root/scripts/install_dependencies.sh" mmdebstrap file dpkg-dev
 echo "== Making the packages"
 quietly cpack --config "$build/CPackConfig.cmake" -B "$work/packages"
 rm -rf "$work/packages/_CPack_Packages"
