@@ -20,8 +20,8 @@ if(OpenCASCADE_FOUND AND NOT TARGET Parametric_surface_mesher::Open_cascade_supp
       list(APPEND open_cascade_targets ${name})
     endif()
   endforeach()
-  list(APPEND open_cascade_targets TKOffset TKBool TKBO TKXCAF TKLCAF TKCAF TKCDF TKXSBase TKShHealing TKTopAlgo TKBRep TKGeomAlgo TKGeomBase
-    TKG3d TKG2d TKMath TKernel)
+  list(APPEND open_cascade_targets TKOffset TKBool TKBO TKXCAF TKLCAF TKCAF TKCDF TKXSBase TKShHealing TKTopAlgo TKBRep TKGeomAlgo
+    TKGeomBase TKG3d TKG2d TKMath TKernel)
   # Shared libraries are linked as files. As targets, they bring along all that they are linked with themselves, such as fontconfig, which
   # is not among the packages that Debian installs with them.
   set(open_cascade_libraries "")
