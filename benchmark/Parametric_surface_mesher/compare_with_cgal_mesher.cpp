@@ -1,120 +1,253 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// make_parametric_surface_mesh() beside CGAL's own meshers, on what both can do: make_surface_mesh() and make_mesh_3() on the sphere and
-// the torus as implicit surfaces, Delaunay_mesher_2 on the flat square, and remeshers of a finer mesh. All are asked for the same number
-// of triangles, and for 30 degrees if they can be asked.
+// make_parametric_surface_mesh() beside CGAL's own meshers, on what both can do: on a sphere, a torus and a tin, of which CGAL's are given
+// the zero set of a function, or a finer mesh to remesh; and in a square in the plane. They are asked for the same number of triangles,
+// and for the same distance from the surface.
 
 #include "Benchmark_settings.h"
-#include "Sample_mesher.h"
+#include "Comparison_run.h"
+#include "Comparison_shape.h"
 #include "Text_table.h"
 #include "cgal_meshers.h"
-#include "measure.h"
+#include "write_comparison.h"
 
 #ifdef WITH_REMESHERS
 #include "cgal_remeshers.h"
 #endif
 
-#include <CGAL/Triangle_mesh_quality.h>
+#include <CGAL/make_model_of_rectangular_patches.h>
 #include <CGAL/make_parametric_surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace {
 
-typedef cgal_meshers::Distance Distance;
 typedef Sample_mesh Mesh;
 
-// the largest distance from the surface, over the middles of edges and the centroids
-double deviation(const Mesh& mesh, const Distance& distance)
+struct Settings : Benchmark_settings
 {
-  double worst = 0;
-  for(const Mesh::Edge_index e : mesh.edges())
-    worst = (std::max)(worst, std::abs(distance(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))))));
-  for(const Mesh::Face_index f : mesh.faces()) {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    worst = (std::max)(worst, std::abs(distance(CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                                               mesh.point(mesh.target(mesh.next(h)))))));
+  std::vector<double> distances = {5e-4};
+  std::string json;
+
+  Settings()
+    : Benchmark_settings(
+        "Usage: compare_with_cgal_mesher [SIZE...] [OPTIONS]\n"
+        "Meshes a sphere, a torus, a tin and a square by this package and by CGAL's make_surface_mesh(), Delaunay_mesher_2 and, if built\n"
+        "so, make_mesh_3() and remeshers: with about SIZE triangles, and with the same distance from the surface. Prints both tables.\n"
+        "Times are processor times, user and system, without that of the finer mesh that remeshers start from. \"time\" is a multiple\n"
+        "of that of this package.\n",
+        {10000})
+  {
+    using boost::program_options::value;
+    options().add_options()
+      ("distances", value(&distances)->multitoken(), "largest distances from surfaces with a radius of 1 (0.0005)")
+      ("json", value(&json), "a file for plot_comparison.py; takes longer, as meshes of other sizes are made for it");
   }
-  return worst;
-}
-
-Sample_mesher parametric_mesher(const Sample& sample)
-{
-  return {"make_parametric_surface_mesh", [sample](double edge_length, Mesh& mesh) {
-            const auto criteria = CGAL::Parametric_surface_mesh_criteria().set_max_edge(edge_length);
-            return run_of([&] { CGAL::make_parametric_surface_mesh(sample.surface, sample.domain, criteria, mesh); });
-          }};
-}
-
-struct Competitor
-{
-  Sample_mesher mesher;
-  double edge_length = 0;
-  std::vector<double> seconds = {};
 };
 
-void measure(Competitor& competitor)
+Mesher_run mesh_model(const Comparison_shape& shape, const Mesh_sizes& sizes, Mesh& mesh)
 {
-  competitor.seconds.push_back(mean_seconds([&] {
-    Mesh mesh;
-    return competitor.mesher.run(competitor.edge_length, mesh).seconds;
-  }));
+  auto criteria = CGAL::Parametric_surface_mesh_criteria().set_max_edge(sizes.edge_length);
+  // Who asks for a distance wants no more triangles than that needs: they may grow in a flat lid, as those of the others do.
+  const double growth = 0.2;
+  if(sizes.distance)
+    criteria.set_distance(*sizes.distance).set_growth(growth);
+  return run_of([&] { CGAL::make_parametric_surface_mesh(shape.model, criteria, mesh); });
 }
 
-Text_table::Line line(const Sample& sample, const Competitor& competitor, const Distance& distance)
+Comparison_mesher parametric_mesher(const Comparison_shape& shape)
 {
-  Mesh mesh;
-  competitor.mesher.run(competitor.edge_length, mesh);
-  const CGAL::Triangle_mesh_quality quality = CGAL::triangle_mesh_quality(mesh);
-  const double faces = static_cast<double>(quality.number_of_faces), seconds = median(competitor.seconds);
-  return {sample.name + ", " + competitor.mesher.name, text("%.0f", faces), text("%.3g", seconds), text("%.0f", faces / seconds),
-          text("%.2f", quality.min_angle), text("%.2f", quality.mean_min_angle), text("%.4f", quality.mean_radius_ratio),
-          text("%.2e", deviation(mesh, distance))};
+  return {"make_parametric_surface_mesh",
+          [&shape](const Mesh_sizes& sizes, Mesh& mesh) { return mesh_model(shape, sizes, mesh); }};
 }
 
-// Times the meshers by turns.
-void compare(const std::string& name, double size, const Benchmark_settings& settings, Text_table& table)
+// All meshers for a shape in space; remeshers start from `fine`.
+std::vector<Comparison_mesher> meshers_of(const Comparison_shape& shape, [[maybe_unused]] const Mesh& fine)
 {
-  const Sample sample = make_sample(name);
-  const Distance distance = cgal_meshers::distance_to(name);
-  std::vector<Competitor> competitors = {{parametric_mesher(sample)}};
-  for(const Sample_mesher& mesher : cgal_meshers::meshers_of(sample, size))
-    competitors.push_back({mesher});
+  std::vector<Comparison_mesher> meshers = {parametric_mesher(shape)};
+  meshers.push_back({"make_surface_mesh", [&shape](const Mesh_sizes& sizes, Mesh& mesh) {
+                       const double radius = cgal_meshers::radius_of(sizes.edge_length);
+                       return cgal_meshers::mesh_implicit(shape.distance, radius, sizes.distance.value_or(radius), mesh);
+                     }});
 #ifdef WITH_REMESHERS
-  for(const Sample_mesher& mesher : cgal_remeshers::meshers_of(sample, size))
-    competitors.push_back({mesher});
+  using namespace cgal_remeshers;
+  meshers.push_back(
+    {"make_mesh_3", [&shape](const Mesh_sizes& sizes, Mesh& mesh) { return mesh_boundary_of_solid(shape, sizes, mesh); }});
+  meshers.push_back(
+    {"isotropic_remeshing", [&](const Mesh_sizes& sizes, Mesh& mesh) { return remesh(fine, shape, sizes, mesh); }});
+#if CGAL_VERSION_NR >= 1060000000
+  meshers.push_back(
+    {"isotropic_remeshing, adaptive", [&](const Mesh_sizes& sizes, Mesh& mesh) { return remesh_adaptively(fine, sizes, mesh); }});
+  meshers.push_back({"surface_Delaunay_remeshing",
+                     [&](const Mesh_sizes& sizes, Mesh& mesh) { return remesh_by_delaunay(fine, shape, sizes, mesh); }});
 #endif
-  for(Competitor& competitor : competitors)
-    competitor.edge_length = calibrated_edge_length(competitor.mesher, sample, size);
-  for(std::size_t i = 0; i < settings.repeat; ++i)
-    for(Competitor& competitor : competitors)
-      measure(competitor);
-  for(const Competitor& competitor : competitors)
-    table.add_line(line(sample, competitor, distance));
+#endif
+  return meshers;
 }
 
-const char usage[] =
-  "Usage: compare_with_cgal_mesher [SIZE...] [OPTIONS]\n"
-  "Meshes the sphere, the torus and the flat square with about SIZE triangles by this package and by CGAL's\n"
-  "make_surface_mesh(), Delaunay_mesher_2 and, if built so, make_mesh_3() and remeshers, and prints speeds and shapes.\n"
-  "Times are processor times, user and system, without that of the finer mesh that remeshers start from. The deviation is\n"
-  "the largest distance from the surface, at middles of edges and centroids.\n";
+// Times by turns, so that what else the machine does falls on all.
+void measure(const std::vector<Comparison_mesher>& meshers, std::size_t repeat, std::vector<Comparison_run>& runs)
+{
+  for(std::size_t i = 0; i < repeat; ++i)
+    for(std::size_t k = 0; k < runs.size(); ++k) {
+      const comparison::Cost cost = comparison::cost_of(meshers[k], runs[k].sizes);
+      runs[k].seconds.push_back(cost.seconds);
+      runs[k].memory = cost.memory;
+    }
+}
+
+Text_table::Line line(const Comparison_run& run, const Comparison_run& own, const Comparison_shape& shape)
+{
+  std::vector<double> ratios;
+  for(std::size_t i = 0; i < run.seconds.size(); ++i)
+    ratios.push_back(run.seconds[i] / own.seconds[i]);
+  const Comparison_verdict& v = run.verdict;
+  return {run.shape + ", " + run.mesher, text("%.0f", v.faces), text("%.3g", median(run.seconds)), text("%.3g", median(ratios)),
+          text("%.1f", v.min_angle), text("%.1f", v.mean_min_angle), text("%.2f", 100 * v.share_below_30_degrees),
+          text("%.4f", v.mean_radius_ratio), text("%.1e", v.distance),
+          shape.rims.empty() ? "-" : text("%.0f %%", 100 * v.share_of_rims), text("%.0f", run.memory / v.faces)};
+}
+
+Text_table empty_table()
+{
+  return Text_table({"shape, mesher", "triangles", "seconds", "time", "min angle", "mean min", "% < 30 deg", "mean 2r/R", "distance",
+                     "rims kept", "bytes/tri"});
+}
+
+struct Comparison
+{
+  Text_table with_triangles = empty_table(), with_distance = empty_table();
+  nlohmann::json runs = nlohmann::json::array(), details = nlohmann::json::array();
+
+  Text_table& table(const Comparison_target& target)
+  {
+    return target.kind == Comparison_target::TRIANGLES ? with_triangles : with_distance;
+  }
+
+  void print(std::ostream& out, Text_table::Format format) const
+  {
+    out << "As many triangles:\n\n";
+    with_triangles.print(out, format);
+    out << "\nThe same distance:\n\n";
+    with_distance.print(out, format);
+  }
+};
+
+// The edge length to begin with. Triangles with edges of length L are L^2 / 6 off a sphere of radius 1.
+double first_edge_length(const Comparison_target& target, const Comparison_shape& shape)
+{
+  return target.kind == Comparison_target::TRIANGLES ? shape.edge_length(target.value) : std::sqrt(6 * target.value);
+}
+
+// What remeshers start from: edges of a third of the shortest ones that are wanted. Shorter edges change the results little.
+Mesh fine_mesh(const Comparison_target& target, const Comparison_shape& shape)
+{
+  const double wanted = first_edge_length(target, shape);
+  const double shortest = target.kind == Comparison_target::TRIANGLES ? wanted : wanted * std::sqrt(shape.smallest_radius);
+  Mesh mesh;
+  mesh_model(shape, {shortest / 3, {}}, mesh);
+  return mesh;
+}
+
+// Where it is sharp, a mesh is worth a look.
+void add_details(const std::vector<Comparison_mesher>& meshers, const std::vector<Comparison_run>& runs, nlohmann::json& details)
+{
+  const comparison::Point_3 on_rim(1, 0, comparison_shapes::height_of_tin);
+  for(std::size_t k = 0; k < runs.size(); ++k) {
+    Mesh mesh;
+    meshers[k].run(runs[k].sizes, mesh);
+    details.push_back({{"mesher", runs[k].mesher}, {"triangles", json_of_triangles(mesh, on_rim, 0.4)}});
+  }
+}
+
+void compare(const Comparison_target& target, const Comparison_shape& shape, const Settings& settings, Comparison& result)
+{
+  const Mesh fine = fine_mesh(target, shape);
+  const std::vector<comparison::Point_3> points = comparison::points_of_surface(fine, shape);
+  const std::vector<Comparison_mesher> meshers = meshers_of(shape, fine);
+  std::vector<Comparison_run> runs;
+  for(const Comparison_mesher& mesher : meshers)
+    runs.push_back(calibrated_run(mesher, shape, target, first_edge_length(target, shape), points, 6));
+  measure(meshers, settings.repeat, runs);
+  for(const Comparison_run& run : runs) {
+    result.table(target).add_line(line(run, runs.front(), shape));
+    result.runs.push_back(json_of(run));
+  }
+  if(!settings.json.empty() && target.kind == Comparison_target::TRIANGLES && !shape.rims.empty())
+    add_details(meshers, runs, result.details);
+}
+
+// Triangles against distance, whatever both are for a series of bounds.
+void add_series(const Comparison_shape& shape, Comparison& result)
+{
+  for(const double distance : {1e-2, 3e-3, 1e-3, 3e-4}) {
+    const Comparison_target target{Comparison_target::DISTANCE, distance};
+    const Mesh fine = fine_mesh(target, shape);
+    const std::vector<comparison::Point_3> points = comparison::points_of_surface(fine, shape);
+    for(const Comparison_mesher& mesher : meshers_of(shape, fine)) {
+      nlohmann::json run = json_of(calibrated_run(mesher, shape, target, first_edge_length(target, shape), points, 1));
+      run["target"] = "series";
+      result.runs.push_back(run);
+    }
+  }
+}
+
+// A square in the plane, its sides divided as by this package: Delaunay_mesher_2 may divide them further.
+void compare_in_plane(double size, const Settings& settings, Comparison& result)
+{
+  const std::vector<sample_surfaces::Patch> patches = {sample_surfaces::whole_patch(make_sample("flat"))};
+  const auto model = CGAL::make_model_of_rectangular_patches(patches);
+  const Comparison_shape square{"square", sample_surface_model(model), 1, cgal_meshers::distance_to("flat"), 1};
+  const Comparison_target target{Comparison_target::TRIANGLES, size};
+  const auto polygon = cgal_meshers::divided_square(cgal_meshers::parts_of_side(square.edge_length(size)));
+  const std::vector<Comparison_mesher> meshers = {
+    parametric_mesher(square), {"Delaunay_mesher_2", [polygon](const Mesh_sizes& sizes, Mesh& mesh) {
+                                  return cgal_meshers::mesh_polygon(polygon, sizes.edge_length, mesh);
+                                }}};
+  std::vector<Comparison_run> runs;
+  for(const Comparison_mesher& mesher : meshers)
+    runs.push_back(calibrated_run(mesher, square, target, square.edge_length(size), {Sample_surface::Point_3(0, 0, 0)}, 6));
+  measure(meshers, settings.repeat, runs);
+  for(const Comparison_run& run : runs)
+    result.table(target).add_line(line(run, runs.front(), square));
+}
+
+Comparison compare_all(const Settings& settings)
+{
+  Comparison result;
+  const std::vector<Comparison_shape> shapes = comparison_shapes_of_space();
+  for(const double size : settings.sizes) {
+    for(const Comparison_shape& shape : shapes)
+      compare({Comparison_target::TRIANGLES, size}, shape, settings, result);
+    compare_in_plane(size, settings, result);
+  }
+  for(const double distance : settings.distances)
+    for(const Comparison_shape& shape : shapes)
+      compare({Comparison_target::DISTANCE, distance}, shape, settings, result);
+  if(settings.json.empty())
+    return result;
+  for(const Comparison_shape& shape : shapes)
+    add_series(shape, result);
+  std::ofstream out(settings.json);
+  out << nlohmann::json{{"runs", result.runs}, {"details", result.details}} << "\n";
+  if(!out.flush())
+    throw std::runtime_error("cannot write " + settings.json);
+  return result;
+}
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  Benchmark_settings settings(usage, {50000});
-  return run_benchmark(argc, argv, settings, [&] {
-    Text_table table({"surface, mesher", "triangles", "seconds", "tri/s", "min angle", "mean min", "mean 2r/R", "deviation"});
-    for(const double size : settings.sizes)
-      for(const char* name : {"sphere", "torus", "flat"})
-        compare(name, size, settings, table);
-    return table;
-  });
+  Settings settings;
+  return run_benchmark(argc, argv, settings, [&] { return compare_all(settings); });
 }

@@ -21,10 +21,8 @@
 #include <CGAL/Surface_mesh_complex_2_in_triangulation_3.h>
 #include <CGAL/Surface_mesh_default_criteria_3.h>
 #include <CGAL/Surface_mesh_default_triangulation_3.h>
-#include <CGAL/make_parametric_surface_mesh.h>
 #include <CGAL/make_surface_mesh.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -51,21 +49,29 @@ inline Distance distance_to(const std::string& sample_name)
   return {};
 }
 
-// make_surface_mesh() on the zero set of a function
-inline Mesher_run mesh_implicit(const Distance& function, double edge_length, Sample_mesh& mesh)
+// How far points may be from the zero set of a function, as a share of the radius of the sphere around it: below what is measured.
+const double error_bound_of_zero_sets = 1e-6;
+
+// make_surface_mesh() on the zero set of a function. The bounds are those of the radius of a facet's circumscribed ball and of its
+// centre's distance from that of the circumscribed circle.
+inline Mesher_run mesh_implicit(const Distance& function, double radius, double distance, Sample_mesh& mesh)
 {
   typedef CGAL::Surface_mesh_default_triangulation_3 Triangulation;
   typedef Triangulation::Geom_traits Traits;
   typedef CGAL::Implicit_surface_3<Traits, Distance> Surface;
-  const Surface surface(function, Traits::Sphere_3(CGAL::ORIGIN, 4));
-  // the radius alone decides the size: the bound of the distance is that of the centre of a circle with this radius
-  const double radius = edge_length / std::sqrt(3.);
-  const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(30, radius, radius);
+  const Surface surface(function, Traits::Sphere_3(CGAL::ORIGIN, 4), error_bound_of_zero_sets);
+  const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(30, radius, distance);
   Triangulation triangulation;
   CGAL::Surface_mesh_complex_2_in_triangulation_3<Triangulation> complex(triangulation);
   const Mesher_run run = run_of([&] { CGAL::make_surface_mesh(complex, surface, criteria, CGAL::Non_manifold_tag()); });
   CGAL::facets_in_complex_2_to_triangle_mesh(complex, mesh);
   return run;
+}
+
+// the circumradius of an equilateral triangle
+inline double radius_of(double edge_length)
+{
+  return edge_length / std::sqrt(3.);
 }
 
 template <class Triangulation>
@@ -80,13 +86,9 @@ void append_domain(const Triangulation& triangulation, Sample_mesh& mesh)
 }
 
 // in how many parts this package's mesher divides each side of the unit square
-inline std::size_t parts_of_side(const Sample& flat, double edge_length)
+inline std::size_t parts_of_side(double edge_length)
 {
-  Sample_mesh mesh;
-  const auto criteria = CGAL::Parametric_surface_mesh_criteria().set_max_edge(edge_length).set_max_number_of_sweeps(0);
-  CGAL::make_parametric_surface_mesh(flat.surface, flat.domain, criteria, mesh);
-  const auto vertices = mesh.vertices();
-  return std::count_if(vertices.begin(), vertices.end(), [&](auto v) { return mesh.is_border(v); }) / 4;
+  return static_cast<std::size_t>(std::ceil(1 / edge_length));
 }
 
 // the unit square, its sides divided in equal parts
@@ -122,15 +124,17 @@ inline Mesher_run mesh_polygon(const std::vector<Point_2>& polygon, double edge_
 inline std::vector<Sample_mesher> meshers_of(const Sample& sample, double size)
 {
   if(sample.name == "flat") {
-    const std::size_t parts = in_child_process([&] { return parts_of_side(sample, sample.edge_length(size)); });
-    const std::vector<Point_2> polygon = divided_square(parts);
+    const std::vector<Point_2> polygon = divided_square(parts_of_side(sample.edge_length(size)));
     return {{"Delaunay_mesher_2",
              [polygon](double edge_length, Sample_mesh& mesh) { return mesh_polygon(polygon, edge_length, mesh); }}};
   }
   if(sample.name == "sphere" || sample.name == "torus") {
     const Distance distance = distance_to(sample.name);
     return {{"make_surface_mesh",
-             [distance](double edge_length, Sample_mesh& mesh) { return mesh_implicit(distance, edge_length, mesh); }}};
+             // The radius alone decides: a ball is not farther from its circle than its radius.
+             [distance](double edge_length, Sample_mesh& mesh) {
+               return mesh_implicit(distance, radius_of(edge_length), radius_of(edge_length), mesh);
+             }}};
   }
   return {};
 }

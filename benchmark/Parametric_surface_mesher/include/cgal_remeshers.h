@@ -6,17 +6,20 @@
 #ifndef CGAL_REMESHERS_H
 #define CGAL_REMESHERS_H
 
+#include "Comparison_shape.h"
+#include "Mesh_sizes.h"
 #include "Sample_mesher.h"
 #include "cgal_meshers.h"
 
 #include <CGAL/Labeled_mesh_domain_3.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_domain_with_polyline_features_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
 #include <CGAL/make_mesh_3.h>
-#include <CGAL/make_parametric_surface_mesh.h>
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_NR >= 1060000000
@@ -25,7 +28,6 @@
 #endif
 
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -33,91 +35,96 @@ namespace cgal_remeshers {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// The edge length of the mesh that is remeshed, as a share of the one that is wanted on average. Shorter edges change the results little.
-const double share_of_tessellation = 1. / 3;
 const unsigned int number_of_iterations = 5; // of remeshing; more change little
-// The shortest and the longest edges that curvature may ask for, as shares of the mean.
+const double sharp_angle = 60;               // between the normals beside an edge that is kept
+// The shortest and the longest edges that curvature may ask for, as shares of the mean, where no distance is asked for.
 const double shortest_share = 0.2, longest_share = 4;
 
-inline Sample_mesh tessellation(const Sample& sample, double edge_length)
+// Isotropic remeshing with edges of the sizes of `field`, a number or a sizing field of CGAL. Sharp edges are divided anew, but stay.
+template <class Field>
+void remesh_to(Field& field, Sample_mesh& mesh)
 {
-  Sample_mesh mesh;
-  const auto criteria = CGAL::Parametric_surface_mesh_criteria().set_max_edge(edge_length);
-  CGAL::make_parametric_surface_mesh(sample.surface, sample.domain, criteria, mesh);
-  return mesh;
+  auto is_sharp = mesh.add_property_map<Sample_mesh::Edge_index, bool>("e:is_sharp", false).first;
+  PMP::detect_sharp_edges(mesh, sharp_angle, is_sharp);
+  PMP::isotropic_remeshing(mesh.faces(), field, mesh,
+                           CGAL::parameters::number_of_iterations(number_of_iterations).edge_is_constrained_map(is_sharp));
+  mesh.remove_property_map(is_sharp);
+  mesh.collect_garbage();
 }
 
-inline Mesher_run remesh(const Sample_mesh& fine, double edge_length, Sample_mesh& mesh)
+inline Mesher_run remesh(const Sample_mesh& fine, const Comparison_shape& shape, const Mesh_sizes& sizes, Sample_mesh& mesh)
 {
   mesh = fine;
-  return run_of([&] {
-    PMP::isotropic_remeshing(mesh.faces(), edge_length, mesh, CGAL::parameters::number_of_iterations(number_of_iterations));
-    mesh.collect_garbage();
-  });
+  const double edge_length = sizes.edge_length_on_arc(shape.smallest_radius);
+  return run_of([&] { remesh_to(edge_length, mesh); });
 }
 
 #if CGAL_VERSION_NR >= 1060000000
-// `distance`: how far from the surface edges of these sizes may be, which decides the number of triangles
-inline Mesher_run remesh_adaptively(const Sample_mesh& fine, double edge_length, double distance, Sample_mesh& mesh)
+inline Mesher_run remesh_adaptively(const Sample_mesh& fine, const Mesh_sizes& sizes, Sample_mesh& mesh)
 {
+  // Of equal edges an edge of length L is L^2 / 8 off a circle of radius 1.
+  const double mean = sizes.edge_length_on_arc(1), distance = sizes.distance.value_or(mean * mean / 8);
+  const double longest = sizes.distance ? sizes.edge_length : longest_share * mean;
   mesh = fine;
   return run_of([&] {
-    PMP::Adaptive_sizing_field<Sample_mesh> field(
-      distance, std::make_pair(shortest_share * edge_length, longest_share * edge_length), mesh.faces(), mesh);
-    PMP::isotropic_remeshing(mesh.faces(), field, mesh, CGAL::parameters::number_of_iterations(number_of_iterations));
-    mesh.collect_garbage();
+    PMP::Adaptive_sizing_field<Sample_mesh> field(distance, std::make_pair(shortest_share * mean, longest), mesh.faces(), mesh);
+    remesh_to(field, mesh);
   });
 }
 
-inline Mesher_run remesh_by_delaunay(const Sample_mesh& fine, double edge_length, Sample_mesh& mesh)
+inline Mesher_run remesh_by_delaunay(const Sample_mesh& fine, const Comparison_shape& shape, const Mesh_sizes& sizes,
+                                     Sample_mesh& mesh)
 {
+  const double radius = cgal_meshers::radius_of(sizes.edge_length);
   return run_of([&] {
-    mesh = PMP::surface_Delaunay_remeshing(fine, CGAL::parameters::mesh_edge_size(edge_length)
+    mesh = PMP::surface_Delaunay_remeshing(fine, CGAL::parameters::mesh_edge_size(sizes.edge_length_on_arc(1))
                                                    .mesh_facet_angle(30)
-                                                   .mesh_facet_size(edge_length / std::sqrt(3.))
-                                                   .features_angle_bound(60)
-                                                   .protect_constraints(false));
+                                                   .mesh_facet_size(radius)
+                                                   .mesh_facet_distance(sizes.distance.value_or(radius))
+                                                   .features_angle_bound(sharp_angle)
+                                                   .protect_constraints(!shape.rims.empty()));
   });
 }
 #endif
 
-// make_mesh_3() on the zero set of a function, with criteria for the surface alone. In CGAL 6 it takes the place of make_surface_mesh().
-inline Mesher_run mesh_boundary_of_solid(const cgal_meshers::Distance& function, double edge_length, Sample_mesh& mesh)
+// a rim as a polygon that is far finer than any mesh
+inline std::vector<Sample_kernel::Point_3> polygon_of_rim(double height)
 {
-  typedef CGAL::Labeled_mesh_domain_3<Sample_kernel> Domain;
+  const int parts = 2000;
+  std::vector<Sample_kernel::Point_3> points;
+  for(int i = 0; i < parts; ++i) {
+    const double angle = 2 * sample_surfaces::pi * i / parts;
+    points.emplace_back(std::cos(angle), std::sin(angle), height);
+  }
+  points.push_back(points.front());
+  return points;
+}
+
+// make_mesh_3() on the zero set of a function, with criteria for the surface alone, and with the rims as its features. In CGAL 6 it takes
+// the place of make_surface_mesh().
+inline Mesher_run mesh_boundary_of_solid(const Comparison_shape& shape, const Mesh_sizes& sizes, Sample_mesh& mesh)
+{
+  typedef CGAL::Labeled_mesh_domain_3<Sample_kernel> Zero_set;
+  typedef CGAL::Mesh_domain_with_polyline_features_3<Zero_set> Domain;
   typedef CGAL::Mesh_triangulation_3<Domain>::type Triangulation;
+  typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index, Domain::Curve_index> Complex;
   typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
-  const Domain domain = Domain::create_implicit_mesh_domain(function, Sample_kernel::Sphere_3(CGAL::ORIGIN, 4));
-  const double radius = edge_length / std::sqrt(3.);
-  const Criteria criteria(Criteria::Facet_criteria(30, radius, radius), Criteria::Cell_criteria(0, 0));
-  CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> complex;
+  const Sample_kernel::Sphere_3 ball(CGAL::ORIGIN, 4);
+  Domain domain(Zero_set::create_implicit_mesh_domain(
+    shape.distance, ball, CGAL::parameters::relative_error_bound = cgal_meshers::error_bound_of_zero_sets));
+  std::vector<std::vector<Sample_kernel::Point_3>> rims;
+  for(const double height : shape.rims)
+    rims.push_back(polygon_of_rim(height));
+  domain.add_features(rims.begin(), rims.end());
+  const double radius = cgal_meshers::radius_of(sizes.edge_length);
+  const Criteria criteria(Criteria::Edge_criteria(sizes.edge_length_on_arc(1)),
+                          Criteria::Facet_criteria(30, radius, sizes.distance.value_or(radius)), Criteria::Cell_criteria(0, 0));
+  Complex complex;
   const Mesher_run run = run_of([&] {
-    complex = CGAL::make_mesh_3<CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>>(
-      domain, criteria, CGAL::parameters::no_perturb(), CGAL::parameters::no_exude());
+    complex = CGAL::make_mesh_3<Complex>(domain, criteria, CGAL::parameters::no_perturb(), CGAL::parameters::no_exude());
   });
   CGAL::facets_in_complex_3_to_triangle_mesh(complex, mesh);
   return run;
-}
-
-// All meshers that can mesh the sample, for about `size` triangles.
-inline std::vector<Sample_mesher> meshers_of(const Sample& sample, double size)
-{
-  const auto fine = std::make_shared<const Sample_mesh>(tessellation(sample, share_of_tessellation * sample.edge_length(size)));
-  std::vector<Sample_mesher> result{
-    {"isotropic_remeshing", [fine](double edge_length, Sample_mesh& mesh) { return remesh(*fine, edge_length, mesh); }}};
-#if CGAL_VERSION_NR >= 1060000000
-  result.push_back({"isotropic_remeshing, adaptive", [fine, mean = sample.edge_length(size)](double edge_length, Sample_mesh& mesh) {
-                      // An edge of length L is L^2 / 8 off a circle of radius 1.
-                      return remesh_adaptively(*fine, mean, edge_length * edge_length / 8, mesh);
-                    }});
-  result.push_back({"surface_Delaunay_remeshing",
-                    [fine](double edge_length, Sample_mesh& mesh) { return remesh_by_delaunay(*fine, edge_length, mesh); }});
-#endif
-  if(sample.name == "sphere" || sample.name == "torus")
-    result.push_back({"make_mesh_3", [distance = cgal_meshers::distance_to(sample.name)](double edge_length, Sample_mesh& mesh) {
-                        return mesh_boundary_of_solid(distance, edge_length, mesh);
-                      }});
-  return result;
 }
 
 } // namespace cgal_remeshers
