@@ -223,6 +223,12 @@ void compare_in_plane(double size, const Settings& settings, Comparison& result)
 
 Comparison compare_all(const Settings& settings)
 {
+  std::ofstream out;
+  if(!settings.json.empty()) { // before all the work
+    out.open(settings.json);
+    if(!out)
+      throw std::runtime_error("cannot write " + settings.json);
+  }
   Comparison result;
   const std::vector<Comparison_shape> shapes = comparison_shapes_of_space();
   for(const double size : settings.sizes) {
@@ -237,7 +243,6 @@ Comparison compare_all(const Settings& settings)
     return result;
   for(const Comparison_shape& shape : shapes)
     add_series(shape, result);
-  std::ofstream out(settings.json);
   out << nlohmann::json{{"runs", result.runs}, {"details", result.details}} << "\n";
   if(!out.flush())
     throw std::runtime_error("cannot write " + settings.json);
