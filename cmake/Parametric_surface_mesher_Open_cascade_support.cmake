@@ -20,10 +20,11 @@ if(OpenCASCADE_FOUND AND NOT TARGET Parametric_surface_mesher::Open_cascade_supp
       list(APPEND open_cascade_targets ${name})
     endif()
   endforeach()
-  list(APPEND open_cascade_targets TKOffset TKBool TKBO TKXCAF TKLCAF TKCAF TKCDF TKXSBase TKShHealing TKTopAlgo TKBRep TKGeomAlgo
-    TKGeomBase TKG3d TKG2d TKMath TKernel)
-  # Shared libraries are linked as files. As targets, they bring along all that they are linked with themselves, such as fontconfig, which
-  # is not among the packages that Debian installs with them.
+  # TKPrim and TKFillet are for users who make shapes.
+  list(APPEND open_cascade_targets TKFillet TKPrim TKOffset TKBool TKBO TKXCAF TKLCAF TKCAF TKCDF TKXSBase TKShHealing TKTopAlgo
+    TKBRep TKGeomAlgo TKGeomBase TKG3d TKG2d TKMath TKernel)
+  # Shared libraries are linked as files. As targets, they bring along all that they are linked with themselves, such as fontconfig and
+  # oneTBB, which are not among the packages that Debian installs with them.
   set(open_cascade_libraries "")
   foreach(target IN LISTS open_cascade_targets)
     get_target_property(type ${target} TYPE)

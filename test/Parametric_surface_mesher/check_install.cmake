@@ -42,9 +42,9 @@ configure_user("" "")
 configure_user("Nothing" "Nothing: there is no such component")
 if(HAS_OPEN_CASCADE)
   configure_user("Open_cascade" "")
-  # Open CASCADE's own targets would ask for it, and Debian does not install it with them.
+  # Open CASCADE's own targets would ask for fontconfig and oneTBB, which Debian does not install with them.
   file(STRINGS ${WORK_DIR}/user_build/CMakeFiles/user.dir/link.txt link_line)
-  if(link_line MATCHES "fontconfig" OR NOT link_line MATCHES "TKernel")
+  if(link_line MATCHES "fontconfig|libtbb" OR NOT link_line MATCHES "TKernel")
     message(FATAL_ERROR "A program with CAD files is linked by: ${link_line}")
   endif()
 else()
