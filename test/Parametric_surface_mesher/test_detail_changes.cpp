@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Changes around a triangle keep the topology of each shell, and move no point farther than the width.
+#include <CGAL/Parametric_surface_mesher/internal/curing/Corner_angles.h>
 #include <CGAL/Parametric_surface_mesher/internal/curing/Detail_changes.h>
+#include <CGAL/Parametric_surface_mesher/internal/curing/Detail_curing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <utility>
@@ -67,6 +70,38 @@ std::vector<Changes::Change> all_changes(const Complex& complex, std::size_t tri
   for(const auto& slide : changes.slides_around(triangle))
     result.push_back(slide);
   return result;
+}
+
+// the plane z = 0
+struct Plane
+{
+  struct Jet
+  {
+    Space_kernel::Vector_3 du, dv;
+  };
+
+  Point_3 point(double u, double v) const { return {u, v, 0}; }
+  Jet jet(double, double) const { return {{1, 0, 0}, {0, 1, 0}}; }
+};
+
+// A flat triangle at a vertex of the model, number 0, which is all that is left of patch 1; patch 0 is around it.
+Complex make_remnant()
+{
+  Complex result = make_complex({{0, 0, 0}, {0.5, 0.02, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {-1, 0, 0}, {2, 0, 0}},
+                                {{0, 3, 5}, {0, 1, 3}, {1, 2, 3}, {2, 6, 3}, {0, 5, 4}, {0, 4, 2}, {2, 4, 6}, {0, 2, 1}});
+  Complex with_dimensions;
+  for(std::size_t v = 0; v < result.vertices().size(); ++v) {
+    auto vertex = result.vertex(v);
+    vertex.dimension = v == 0 ? 0 : v < 3 ? 1 : 2;
+    vertex.triangles.clear();
+    with_dimensions.add_vertex(vertex);
+  }
+  for(std::size_t t = 0; t < result.triangles().size(); ++t) {
+    Complex::Triangle triangle = result.triangle(t);
+    triangle.patch = t + 1 == result.triangles().size() ? 1 : 0;
+    with_dimensions.add_triangle(triangle);
+  }
+  return with_dimensions;
 }
 
 // two triangles over a short edge, the second apex at this distance from the edge
@@ -137,6 +172,20 @@ TEST(Detail_changes, move_no_farther_than_the_width)
   EXPECT_FALSE(has_collapse(1.1 * width));
 }
 
+// Three vertices are close to each other, in the middle of others. Triangle 0 has two of them, and the third one is across the side
+// between them.
+TEST(Detail_changes, join_vertices_beside_short_sides)
+{
+  const Complex complex
+    = make_complex({{0, 0, 0}, {0.01, 0, 0}, {0.005, 0.01, 0}, {0.005, -1, 0}, {2, 1, 0}, {-2, 1, 0}},
+                   {{1, 0, 3}, {0, 1, 2}, {1, 3, 4}, {1, 4, 2}, {2, 4, 5}, {0, 2, 5}, {0, 5, 3}});
+  std::set<std::size_t> survivors;
+  for(const auto& change : Changes(complex, width).around(0))
+    if(change.removed == complex.vertex(2).triangles)
+      survivors.insert(change.survivor);
+  EXPECT_EQ((std::set<std::size_t>{0, 1}), survivors);
+}
+
 // What is applied and taken back leaves no trace.
 TEST(Detail_changes, are_taken_back)
 {
@@ -165,4 +214,34 @@ TEST(Detail_changes, keep_edges_that_are_not_manifold)
                                        {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {2, 0, 5}});
   for(const auto& change : all_changes(complex, 3))
     EXPECT_TRUE(change.removed.size() <= change.added.size() || change.survivor != 1) << change.survivor;
+}
+
+// A small angle at a vertex of the model is excused by a corner of the shape that is as sharp, not by what curing has left of a patch.
+TEST(Detail_curing, removes_remnants_at_vertices_of_the_model)
+{
+  const std::vector<Plane> surfaces(2);
+  const std::vector<bool> are_reversed(2, false);
+  const auto number_left = [&](Complex complex, const internal::Corner_angles<Space_kernel>& corners) {
+    internal::Detail_curing<Space_kernel, Plane> curing(complex, surfaces, are_reversed, corners, width, width);
+    curing([] { return true; });
+    return std::count_if(complex.triangles().begin(), complex.triangles().end(),
+                         [](const Complex::Triangle& t) { return !t.is_removed && t.patch == 1; });
+  };
+  const Complex complex = make_remnant();
+  internal::Corner_angles<Space_kernel> corners;
+  EXPECT_EQ(0, number_left(complex, corners));
+  corners.add(complex);
+  EXPECT_EQ(1, number_left(complex, corners));
+}
+
+TEST(Corner_angles, are_those_between_borders)
+{
+  internal::Corner_angles<Space_kernel> corners;
+  corners.add(make_remnant());
+  const double of_remnant = std::atan(0.04);
+  EXPECT_TRUE(corners.has_corner_as_small({0, 0, 0}, 1, of_remnant));
+  EXPECT_FALSE(corners.has_corner_as_small({0, 0, 0}, 1, 0.8 * of_remnant));
+  EXPECT_FALSE(corners.has_corner_as_small({0, 0, 0}, 0, 5)); // the rest of a full turn
+  EXPECT_TRUE(corners.has_corner_as_small({0, 0, 0}, 0, 6.2));
+  EXPECT_FALSE(corners.has_corner_as_small({1, 0, 0}, 1, of_remnant)); // no vertex of the model
 }

@@ -65,6 +65,11 @@ public:
       add(collapse(v[(i + 1) % 3], v[i]));
       add(insertion(t, i));
       add(flip(t, i));
+      for(const Index x : vertices_beside(t, i))
+        for(const Index end : {v[i], v[(i + 1) % 3]}) {
+          add(collapse(x, end));
+          add(collapse(end, x));
+        }
     }
     return result;
   }
@@ -84,6 +89,19 @@ public:
 private:
   const Point_3& point(Index v) const { return m_complex.vertex(v).point; }
   const Displacement& displacement(Index v) const { return m_complex.vertex(v).displacement; }
+
+  // The third corners of the triangles on the other side of a short side. Where several vertices are close to each other, as at the ends of
+  // short edges, it may be these that have to be joined first: the triangle itself would fold.
+  std::vector<Index> vertices_beside(Index t, std::size_t i) const
+  {
+    std::vector<Index> result;
+    const Index a = m_complex.triangle(t).vertices[i], b = m_complex.triangle(t).vertices[(i + 1) % 3];
+    if(squared_distance(point(a), point(b)) <= m_width * m_width)
+      for(const Index other : m_complex.triangles_at(a, b))
+        if(other != t)
+          result.push_back(m_complex.triangle(other).apex(a, b));
+    return result;
+  }
 
   // Vertex `a` moves to `b`, which is close.
   std::optional<Change> collapse(Index a, Index b) const
@@ -302,18 +320,13 @@ private:
         ++number_of_triangles;
         if(triangle.has(c))
           ++number_with_vertex;
-        else if(at_c.count(apex(triangle, a, b)) > 0)
+        else if(at_c.count(triangle.apex(a, b)) > 0)
           return false;
       }
       if(number_of_triangles > 0 && (number_with_vertex != 1 || (number_of_triangles != 2 && is_singular(at_c))))
         return false;
     }
     return true;
-  }
-
-  static Index apex(const Triangle& triangle, Index a, Index b)
-  {
-    return *std::find_if(triangle.vertices.begin(), triangle.vertices.end(), [=](Index v) { return v != a && v != b; });
   }
 
   void split(Index t, Index a, Index b, Index c, double share, Change& result) const
@@ -343,7 +356,7 @@ private:
     if(other.patch != triangle.patch || other.uv[other.corner(a)] != triangle.uv[i]
        || other.uv[other.corner(b)] != triangle.uv[(i + 1) % 3])
       return std::nullopt;
-    const Index d = apex(other, a, b);
+    const Index d = other.apex(a, b);
     const auto shares = shares_of_crossing(a, b, c, d);
     if(d == c || !shares || !m_complex.triangles_at(c, d).empty())
       return std::nullopt;

@@ -60,9 +60,9 @@ private:
   bool m_is_good = false;
 
 public:
-  Detail_curing(Complex& complex, const std::vector<Surface>& surfaces, const std::vector<bool>& are_reversed, double width,
-                double distance_bound)
-    : m_complex(complex), m_judge(complex, surfaces, are_reversed), m_changes(complex, width),
+  Detail_curing(Complex& complex, const std::vector<Surface>& surfaces, const std::vector<bool>& are_reversed,
+                const Corner_angles<Kernel>& corner_angles, double width, double distance_bound)
+    : m_complex(complex), m_judge(complex, surfaces, are_reversed, corner_angles), m_changes(complex, width),
       m_squared_distance_bound(distance_bound * distance_bound)
   {}
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesher/Mesh_criterion.h>
+#include <CGAL/Parametric_surface_mesher/internal/curing/Corner_angles.h>
 #include <CGAL/Parametric_surface_mesher/internal/curing/Triangle_complex.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
@@ -70,10 +71,12 @@ private:
   const Complex& m_complex;
   const std::vector<Surface>& m_surfaces; // by patch
   const std::vector<bool>& m_are_reversed;
+  const Corner_angles<Kernel>& m_corner_angles;
 
 public:
-  Detail_judge(const Complex& complex, const std::vector<Surface>& surfaces, const std::vector<bool>& are_reversed)
-    : m_complex(complex), m_surfaces(surfaces), m_are_reversed(are_reversed)
+  Detail_judge(const Complex& complex, const std::vector<Surface>& surfaces, const std::vector<bool>& are_reversed,
+               const Corner_angles<Kernel>& corner_angles)
+    : m_complex(complex), m_surfaces(surfaces), m_are_reversed(are_reversed), m_corner_angles(corner_angles)
   {}
 
   Quality quality(const std::vector<Index>& triangles) const
@@ -182,7 +185,14 @@ private:
   bool is_corner(Index t, std::size_t i) const
   {
     return m_complex.vertex(m_complex.triangle(t).vertices[i]).dimension == 0 && m_complex.is_on_patch_border(t, i)
-           && m_complex.is_on_patch_border(t, (i + 2) % 3);
+           && m_complex.is_on_patch_border(t, (i + 2) % 3)
+           && m_corner_angles.has_corner_as_small(m_complex.point(t, i), m_complex.triangle(t).patch, angle(t, i));
+  }
+
+  double angle(Index t, std::size_t i) const
+  {
+    return Corner_angles<Kernel>::angle(m_complex.point(t, i + 1) - m_complex.point(t, i),
+                                        m_complex.point(t, i + 2) - m_complex.point(t, i));
   }
 
   // 1 if a triangle of a shell faces out of it, else -1

@@ -11,6 +11,7 @@
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
 #include <CGAL/Parametric_surface_mesher/internal/curing/Complex_in_mesh.h>
+#include <CGAL/Parametric_surface_mesher/internal/curing/Corner_angles.h>
 #include <CGAL/Parametric_surface_mesher/internal/curing/Detail_curing.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/Face_measures.h>
 #include <CGAL/Parametric_surface_mesher/internal/output/Indexed_mesh.h>
@@ -51,6 +52,7 @@ class Mesh_curing
   std::vector<bool> m_are_reversed;
   std::vector<Index> m_meeting_points;
   typename Region::Moves m_moves;
+  Corner_angles<Kernel> m_corner_angles;
   std::map<Index, Parametric_surface_mesh_report::Removed_detail> m_details; // by patch
   bool m_is_changed = false;
   Parametric_surface_mesh_report& m_report;
@@ -110,7 +112,8 @@ private:
   bool cure(const std::vector<Index>& faces, const GoFurther& go_further)
   {
     Region region(m_mesh, m_shells, m_moves, faces);
-    Curing curing(region.complex(), m_surfaces, m_are_reversed, *m_criteria.detail(),
+    m_corner_angles.add(region.complex());
+    Curing curing(region.complex(), m_surfaces, m_are_reversed, m_corner_angles, *m_criteria.detail(),
                   m_criteria.distance().value_or(std::numeric_limits<double>::infinity()));
     curing(go_further);
     if(curing.number_of_changes() == 0 || !curing.is_good())
@@ -163,7 +166,7 @@ private:
     for(const auto& old : m_report.unmet)
       if(region.new_faces[old.face] != Region::none)
         unmet.push_back({region.new_faces[old.face], old.criteria, old.cause});
-    const Judge judge(region.complex(), m_surfaces, m_are_reversed);
+    const Judge judge(region.complex(), m_surfaces, m_are_reversed, m_corner_angles);
     for(Index t = 0; t < region.added_faces.size(); ++t)
       if(region.added_faces[t] != Region::none) {
         const Criterion_set failed = judge.failed(t, m_criteria);

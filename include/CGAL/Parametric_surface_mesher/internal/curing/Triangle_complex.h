@@ -56,6 +56,12 @@ public:
 
     std::size_t corner(Index v) const { return std::size_t(std::find(vertices.begin(), vertices.end(), v) - vertices.begin()); }
     bool has(Index v) const { return corner(v) < 3; }
+    // The third vertex beside two of them.
+    Index apex(Index v, Index w) const
+    {
+      return *std::find_if(vertices.begin(), vertices.end(), [=](Index x) { return x != v && x != w; });
+    }
+
     bool is_in(Index shell) const { return shell != none && (shell == shells[0] || shell == shells[1]); }
     bool is_in_shell_of(const Triangle& other) const { return is_in(other.shells[0]) || is_in(other.shells[1]); }
   };
@@ -145,6 +151,17 @@ public:
         ++number;
       }
     return number != 1;
+  }
+
+  // The triangle on the other side of the side from this corner to the next one.
+  // \pre that is not on the border of the patch
+  Index neighbor_in_patch(Index t, std::size_t corner) const
+  {
+    const Triangle& triangle = m_triangles[t];
+    for(Index other : triangles_at(triangle.vertices[corner], triangle.vertices[(corner + 1) % 3]))
+      if(other != t && m_triangles[other].is_in_shell_of(triangle))
+        return other;
+    return t;
   }
 
   // Applies a change, and returns the one that takes it back if it is the next that is applied.
