@@ -117,20 +117,20 @@ TEST(Kept_faces, are_none_with_other_criteria_or_surfaces)
   EXPECT_EQ(0u, kept.number_of_kept_faces());
 }
 
-// A strip between two pieces of a cylinder, whose upper side moves: the points on its lower side stay as they are, but the wanted edge
+// A strip between two pieces of a cylinder, whose lower side moves: the points on its upper side stay as they are, but the wanted edge
 // length beside the strip, which is a multiple of its width, does not.
 TEST(Kept_faces, have_the_same_sizes_beside_thin_strips)
 {
   const auto pieces_with_strip = [](double width) {
     std::vector<CGAL::Rectangular_patch_3<Cylinder>> patches;
-    for(const auto& heights : {std::make_pair(-0.3, 0.), std::make_pair(0., width), std::make_pair(width, 0.3)})
+    for(const auto& heights : {std::make_pair(-0.3, -width), std::make_pair(-width, 0.), std::make_pair(0., 0.3)})
       patches.emplace_back(Cylinder(1), 0, 0.3, heights.first, heights.second);
     return CGAL::make_model_of_rectangular_patches(patches);
   };
   const double width = 0.0075, similar_width = 0.00751;
   const Criteria narrow = Criteria().set_max_edge(0.1).set_min_edge(0.08).set_closeness(1.8);
   Kept_faces kept;
-  const auto lower_side = [&](double w) {
+  const auto upper_side = [&](double w) {
     const Mesh m = mesh(pieces_with_strip(w), narrow, kept);
     expect_fresh(m, pieces_with_strip(w), narrow);
     std::set<Point_3> result;
@@ -139,11 +139,11 @@ TEST(Kept_faces, have_the_same_sizes_beside_thin_strips)
         result.insert(m.point(v));
     return result;
   };
-  const auto points = lower_side(width);
+  const auto points = upper_side(width);
   EXPECT_GT(points.size(), 5u); // there would be five points without a division of the strip
-  EXPECT_EQ(points, lower_side(width));
+  EXPECT_EQ(points, upper_side(width));
   EXPECT_EQ(3u, kept.number_of_kept_faces());
-  EXPECT_EQ(points, lower_side(similar_width));
+  EXPECT_EQ(points, upper_side(similar_width));
   EXPECT_EQ(0u, kept.number_of_kept_faces());
 }
 

@@ -14,6 +14,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -61,17 +62,21 @@ TEST(Mesh_sizes, closeness_grades_the_sides_of_a_patch)
   EXPECT_GE(report.smallest_angle, 20);
 }
 
+double smallest_angle(const Mesh& mesh, Mesh::Face_index face)
+{
+  double result = 180;
+  for(const auto h : mesh.halfedges_around_face(mesh.halfedge(face)))
+    result = (std::min)(result, CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                                        mesh.point(mesh.target(mesh.next(h)))));
+  return result;
+}
+
 // the number of triangles with an angle below some degrees
 std::size_t number_of_sharp_triangles(const Mesh& mesh, double degrees)
 {
   std::size_t result = 0;
-  for(const auto face : mesh.faces()) {
-    double smallest = 180;
-    for(const auto h : mesh.halfedges_around_face(mesh.halfedge(face)))
-      smallest = (std::min)(smallest, CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                                              mesh.point(mesh.target(mesh.next(h)))));
-    result += smallest < degrees;
-  }
+  for(const auto face : mesh.faces())
+    result += smallest_angle(mesh, face) < degrees;
   return result;
 }
 
@@ -147,6 +152,27 @@ TEST(Mesh_sizes, closeness_divides_thin_strips_below_the_minimum_edge)
     EXPECT_GT(report.smallest_angle, 13) << slant;
     EXPECT_GT(report.number_of_edges_added_to_thin_strips, 0u);
     EXPECT_LT(mesh.number_of_faces(), 1.1 * without.number_of_faces());
+  }
+}
+
+// A plate with a finger much narrower than the minimum edge is long: at its tip, points of both
+// sides are opposite to each other.
+TEST(Mesh_sizes, closeness_divides_thin_strips_up_to_their_ends)
+{
+  typedef sample_surfaces::Domain Domain;
+  for(double width : {0.011, 0.0125, 0.0141}) {
+    std::vector<Domain::Curve> outline;
+    const std::vector<Domain::Point_2> corners
+      = {{0, 0}, {10, 0}, {10, 5}, {12, 5}, {12, 5 + width}, {10, 5 + width}, {10, 10}, {0, 10}};
+    for(std::size_t i = 0; i < corners.size(); ++i)
+      outline.push_back(Domain::Curve::segment(corners[i], corners[(i + 1) % corners.size()]));
+    Mesh mesh;
+    const Criteria criteria = Criteria().set_max_edge(0.2).set_min_edge(0.08).set_closeness(1.8);
+    add_patch(make_sample("flat").surface, Domain(outline), criteria, mesh);
+    for(const auto face : mesh.faces())
+      if(mesh.point(mesh.source(mesh.halfedge(face))).x() > 10.5) {
+        EXPECT_GT(smallest_angle(mesh, face), 11) << width;
+      }
   }
 }
 

@@ -137,7 +137,8 @@ public:
   }
 
 private:
-  // The third corner of the triangle in the domain at a piece; none if the next piece of the loop is a side of it.
+  // The third corner of the triangle in the domain at a piece; none if that is in a corner of the domain, with the next piece of the loop
+  // as a side. If this is short, it is the end of a strip, and no corner.
   static Vertex_handle vertex_across(Vertex_handle v, Vertex_handle w, const Triangulation& triangulation)
   {
     Face_handle face;
@@ -149,8 +150,14 @@ private:
       face = face->neighbor(i);
       i = mirrored;
     }
-    const bool is_in_corner = face->is_constrained(triangulation.cw(i)) || face->is_constrained(triangulation.ccw(i));
-    return face->is_in_domain() && !is_in_corner ? face->vertex(i) : Vertex_handle();
+    if(!face->is_in_domain())
+      return Vertex_handle();
+    const int before = triangulation.cw(i), after = triangulation.ccw(i);
+    const Vertex_handle across = face->vertex(i), left = face->vertex(after), right = face->vertex(before);
+    const double largest_end = Boundary::length(left, right) / harmless_ratio;
+    const auto is_end = [&](Vertex_handle x) { return Boundary::length(across, x) < largest_end; };
+    const bool is_in_corner = (face->is_constrained(before) && !is_end(left)) || (face->is_constrained(after) && !is_end(right));
+    return is_in_corner ? Vertex_handle() : across;
   }
 
   // `across`: the loop and the number of the vertex across
