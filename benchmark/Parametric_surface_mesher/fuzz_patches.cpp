@@ -31,7 +31,7 @@ struct Options
 {
   std::uint64_t seed = 1, number = 1000;
   std::uint64_t only = 0;
-  bool is_only = false, is_verbose = false, audits_report = false;
+  bool is_only = false, is_verbose = false;
   unsigned int threads = 1, seconds = 120;
 };
 
@@ -74,7 +74,6 @@ Options read_options(int argc, char** argv)
     ("only", po::value(&options.only), "one seed: prints what is meshed and writes the mesh to fuzz_SEED.off")
     ("threads", po::value(&options.threads)->default_value(1), "the number of threads, if there is oneTBB")
     ("seconds", po::value(&options.seconds)->default_value(120), "how long one patch may take")
-    ("report", po::bool_switch(&options.audits_report), "audit what the report lists, too")
     ("verbose", po::bool_switch(&options.is_verbose), "print each patch");
   po::variables_map map;
   po::store(po::parse_command_line(argc, argv, description), map);
@@ -102,7 +101,7 @@ void check(std::uint64_t seed, const Options& options, Totals& totals)
   const Fuzz_case fuzz_case = make_fuzz_case(seed);
   if(options.is_only || options.is_verbose)
     std::cout << seed << " is " << fuzz_case.description << std::endl;
-  Fuzz_check check(fuzz_case, options.audits_report);
+  Fuzz_check check(fuzz_case);
   const Audit_findings& findings = check();
   for(const std::string& text : findings.texts())
     std::cout << seed << ": " << text << std::endl;

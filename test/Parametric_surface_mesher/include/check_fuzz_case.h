@@ -24,16 +24,14 @@ class Fuzz_check
   typedef Fuzz_kernel::Point_2 Point_2;
 
   const Fuzz_case& m_case;
-  const bool m_audits_report;
   std::vector<Patch> m_patches;
   Audit_findings m_findings;
   Fuzz_mesh m_result;
   Fuzz_outcome m_outcome;
 
 public:
-  // `audits_report`: whether the triangles that the report lists are compared with those that fail
-  explicit Fuzz_check(const Fuzz_case& fuzz_case, bool audits_report = false)
-    : m_case(fuzz_case), m_audits_report(audits_report)
+  explicit Fuzz_check(const Fuzz_case& fuzz_case)
+    : m_case(fuzz_case)
   {
     list_patches();
   }
@@ -131,7 +129,7 @@ private:
     audit_smallest_angle(m_result, m_findings);
     for(std::size_t i = 0; i < m_patches.size(); ++i)
       Patch_audit<Fuzz_kernel, Fuzz_surface, Curve>(m_result, i, m_patches[i], m_findings)();
-    if(m_audits_report && m_case.surface && !m_patches.front().has_collapsed_curve() && !m_case.number_of_questions)
+    if(m_case.surface && !m_patches.front().has_collapsed_curve() && !m_case.number_of_questions)
       Report_audit<Fuzz_kernel, Fuzz_surface>(m_result, *m_case.surface, m_case.criteria, m_case.metric.is_default(), m_findings)();
     if(m_case.is_model_closed)
       for(const auto h : m_result.mesh.halfedges())
