@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include <iterator>
 #include <string>
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -57,10 +59,25 @@ protected:
   // runs the program in the directory "files", with arguments as in a shell
   Result run(const std::string& arguments) const
   {
-    const std::string command = "cd '" + (directory / "files").string() + "' && '" + program + "' " + arguments
-                                + " > ../out 2> ../err";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(directory / "out"), content(directory / "err")};
+    return {status(arguments, "../err"), content(directory / "out"), content(directory / "err")};
+  }
+
+  // The same with a terminal as standard error output. What is written there must fit into its buffer: some kilobytes.
+  Result run_on_terminal(const std::string& arguments) const
+  {
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    EXPECT_GE(terminal, 0);
+    EXPECT_EQ(grantpt(terminal), 0);
+    EXPECT_EQ(unlockpt(terminal), 0);
+    const int kept_open = open(ptsname(terminal), O_RDWR | O_NOCTTY); // else what was written is lost when the program ends
+    Result result{status(arguments, ptsname(terminal)), content(directory / "out"), ""};
+    EXPECT_EQ(fcntl(terminal, F_SETFL, O_NONBLOCK), 0);
+    std::array<char, 4096> buffer;
+    for(ssize_t n; (n = read(terminal, buffer.data(), buffer.size())) > 0;)
+      result.err.append(buffer.data(), std::size_t(n));
+    close(kept_open);
+    close(terminal);
+    return result;
   }
 
   std::size_t number_of_files() const
@@ -98,6 +115,15 @@ protected:
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << "\n" << result.err;
     EXPECT_NE(result.err.find(hint), std::string::npos) << arguments << "\n" << result.err;
     EXPECT_EQ(number_of_files(), before) << arguments;
+  }
+
+private:
+  int status(const std::string& arguments, const std::string& err) const
+  {
+    const std::string command = "cd '" + (directory / "files").string() + "' && '" + program + "' " + arguments + " > ../out 2> '"
+                                + err + "'";
+    const int result = std::system(command.c_str());
+    return WIFEXITED(result) ? WEXITSTATUS(result) : -1;
   }
 };
 
