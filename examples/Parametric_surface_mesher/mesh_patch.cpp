@@ -16,7 +16,8 @@
 
 namespace {
 
-void run(const Mesh_patch_options& options)
+// returns the exit status
+int run(const Mesh_patch_options& options)
 {
   const Mesh_patch_input input = mesh_patch::read_input(options);
   Mesh_patch_result result;
@@ -25,6 +26,7 @@ void run(const Mesh_patch_options& options)
   files.write();
   if(!options.is_quiet)
     mesh_patch::print_summary(std::cout, input, result);
+  return mesh_patch::findings(input, result).faults.empty() ? 0 : 1;
 }
 
 int fail(std::string message)
@@ -45,7 +47,7 @@ int main(int argc, char** argv)
     else if(options.is_version_wanted)
       print_version(std::cout, "mesh_patch");
     else
-      run(options);
+      return run(options);
     return 0;
   }
   catch(const std::bad_alloc&) {

@@ -72,8 +72,8 @@ _DOCUMENTATION = """Meshes a CAD file, or a shape of CadQuery, build123d, FreeCA
 {options}
 
     Returns a ``Mesh``. ``mesh.report`` has what ``--json`` writes, ``mesh.summary()`` what the program prints; ``mesh.is_whole``
-    tells whether all was met that the program promises. A face that cannot be meshed is left out, and in
-    ``mesh.report["left_out"]``. Input that cannot be read or meshed raises ``MeshingError``. Ctrl-C raises ``MeshingInterrupted``,
+    tells whether nothing is wrong with the mesh. A face that cannot be meshed is left out, and in ``mesh.report["left_out"]``.
+    Input that cannot be read or meshed raises ``MeshingError``. Ctrl-C raises ``MeshingInterrupted``,
     a ``KeyboardInterrupt`` whose ``mesh`` is the valid mesh of that moment.
     """
 

@@ -18,7 +18,7 @@ class MeshingError(RuntimeError):
 ONLY_OF_PROGRAM = ("out", "picture", "json", "quiet", "help", "list", "list-faces", "binary", "node-parameters", "page", "version")
 
 
-def _renamed(sentence: str) -> str:
+def renamed(sentence: str) -> str:
     """Options are named as arguments: --max-edge is max_edge. Those that only the program has are named as its own."""
     def name(match: "re.Match[str]") -> str:
         option = match.group(1)
@@ -36,4 +36,4 @@ def sentences() -> Iterator[None]:
     except MemoryError:
         raise MemoryError("the memory is too small for this mesh; choose a larger max_edge or min_edge") from None
     except _core.CoreError as error:
-        raise MeshingError(_renamed(str(error))) from None
+        raise MeshingError(renamed(str(error))) from None

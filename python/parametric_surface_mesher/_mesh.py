@@ -12,7 +12,8 @@ from typing import Any, Dict, List, NamedTuple, Optional, Union
 
 import numpy as np
 
-from ._errors import MeshingError, sentences
+from . import _core
+from ._errors import MeshingError, renamed, sentences
 
 
 class Group(NamedTuple):
@@ -71,10 +72,12 @@ class Mesh:
 
     @property
     def is_whole(self) -> bool:
-        """Whether the mesh is that of all that was given, closed where that is, does not intersect itself, and keeps the distance."""
-        if hasattr(self._core, "is_whole"):
-            return self._core.is_whole
-        return not self.report["stopped"] and all(i["of_shape"] for i in self.report["self_intersections"])
+        """Whether nothing is wrong with the mesh: what is wrong is marked so in ``summary()``."""
+        return self._core.is_whole
+
+    @property
+    def _is_of_cad_file(self) -> bool:
+        return isinstance(self._core, getattr(_core, "MeshedCadFile", ()))
 
     @property
     def names(self) -> Dict[str, Dict[int, str]]:
@@ -120,7 +123,7 @@ class Mesh:
             _write_whole(os.fspath(path), self.page())
             return
         with sentences():
-            if hasattr(self._core, "summary"):
+            if self._is_of_cad_file:
                 self._core.save(os.fspath(path), binary, node_parameters)
             elif node_parameters:
                 raise ValueError("node_parameters: only meshes of CAD files have them")
@@ -133,7 +136,7 @@ class Mesh:
         So its writers of STL and glTF, and viewers, take this mesh in place of their own:
         ``cadquery.Shape.importBrep(io.BytesIO(mesh.brep()))``.
         """
-        if not hasattr(self._core, "summary"):
+        if not self._is_of_cad_file:
             raise MeshingError("brep: this mesh has no shape of Open CASCADE; only meshes of mesh_cad() have one")
         with tempfile.TemporaryDirectory(prefix="mesh_cad_") as folder:
             path = os.path.join(folder, "shape.brep")
@@ -142,13 +145,8 @@ class Mesh:
                 return file.read()
 
     def summary(self) -> str:
-        """A few lines for people: what the mesh is like, and what could not be met."""
-        if hasattr(self._core, "summary"):
-            return self._core.summary()
-        lines = [repr(self)[1:-1]]
-        for unmet in self.report["unmet_by"]:
-            lines.append(f"  not met: {', '.join(unmet['criteria'])} of {unmet['triangles']} triangles, because of the {unmet['cause']}")
-        return "\n".join(lines) + "\n"
+        """A few lines for people: what the mesh is like, what is wrong with it, and what is good to know."""
+        return renamed(self._core.summary())
 
     def plot(self, color_by: Optional[str] = None, *, show: bool = True, **options: Any) -> Any:
         """Shows the mesh with PyVista or, if that is not installed, with Matplotlib; returns the plotter or the axes.
@@ -170,7 +168,7 @@ class Mesh:
         ``save("part.html")`` writes it.
         """
         with sentences():
-            return self._core.page() if hasattr(self._core, "summary") else self._core.page("mesh", self.summary())
+            return self._core.page()
 
     def _repr_html_(self) -> str:
         """What a notebook shows: the page, if there is one, else a table."""
@@ -181,11 +179,12 @@ class Mesh:
         return f"<iframe srcdoc=\"{html.escape(page)}\" style=\"width: 100%; height: 600px; border: 0\"></iframe>"
 
     def _table(self) -> str:
+        distance = self.report["distance"]
         rows: List[tuple] = [
             ("points", len(self.points)), ("triangles", len(self.triangles)), ("faces", len(np.unique(self.face_ids))),
             ("closed", "yes" if self.report["closed"] else "no"), ("smallest angle", f"{self.report['min_angle']:.1f}°"),
             ("mean of smallest angles", f"{self.report['mean_min_angle']:.1f}°"),
-            ("distance from the surfaces", f"{self.report['distance']:.3g}"),
+            ("distance from the surfaces", "not measured" if distance is None else f"{distance:.3g}"),
             ("triangles that do not meet all criteria", sum(unmet["triangles"] for unmet in self.report["unmet_by"]))]
         if self.report["stopped"]:
             rows.append(("stopped", "before it was done"))

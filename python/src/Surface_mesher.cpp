@@ -5,15 +5,21 @@
 #include "Output_files.h"
 #include "Progress_line.h"
 #include "Unmet_count.h"
+#include "distance_findings.h"
+#include "findings_of_report.h"
+#include "summary_lines.h"
+#include "text_of_numbers.h"
 #include "write_mesh_file.h"
 #include "write_page.h"
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Element_mesh_3.h>
 #include <CGAL/IO/write_BDF.h>
 #include <CGAL/IO/write_INP.h>
 #include <CGAL/IO/write_MSH.h>
 #include <CGAL/IO/write_UNV.h>
 #include <CGAL/IO/write_element_VTU.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/pieces_of_patches.h>
 #include <CGAL/Rectangular_patch_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Triangle_mesh_quality.h>
@@ -168,6 +174,7 @@ struct Meshed_model::Data
   Mesh::Property_map<Mesh::Face_index, std::size_t> patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
   Mesh::Property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place> edge_place
     = mesh.add_property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place>("e:place").first;
+  CGAL::Parametric_surface_mesh_criteria criteria; // with the default sizes filled in
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
   double distance = 0; // the largest one that was measured from the surfaces
@@ -215,40 +222,58 @@ CGAL::Parametric_surface_mesh_criteria to_criteria(const Criteria& c)
   return result;
 }
 
-// The largest distance between triangles and the points of the surfaces over the middles of their sides and their centroids.
+// The largest squared distance between a triangle and the points of the surface over the middles of its sides and its centroid.
+template <class Data, class Face>
+double largest_squared_distance(const Data& data, Face f, const Model::Surface_3& surface)
+{
+  const std::array<std::array<double, 3>, 4> places = {{{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1. / 3, 1. / 3, 1. / 3}}};
+  std::array<Point_3, 3> points;
+  std::array<Point_2, 3> uv;
+  std::size_t i = 0;
+  for(const auto h : data.mesh.halfedges_around_face(data.mesh.halfedge(f))) {
+    points[i] = data.mesh.point(data.mesh.target(h));
+    uv[i++] = data.uv[h];
+  }
+  const Kernel::Triangle_3 triangle(points[0], points[1], points[2]);
+  double squared = 0;
+  for(const auto& w : places) {
+    const double u = w[0] * uv[0].x() + w[1] * uv[1].x() + w[2] * uv[2].x(), v = w[0] * uv[0].y() + w[1] * uv[1].y() + w[2] * uv[2].y();
+    squared = (std::max)(squared, CGAL::squared_distance(surface.point(u, v), triangle));
+  }
+  return squared;
+}
+
+// Of all triangles, on the threads that meshing has.
 template <class Data>
 double largest_distance(const Data& data)
 {
-  const std::array<std::array<double, 3>, 4> places = {{{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1. / 3, 1. / 3, 1. / 3}}};
-  double squared = 0;
-  for(const auto f : data.mesh.faces()) {
-    std::array<Point_3, 3> points;
-    std::array<Point_2, 3> uv;
-    std::size_t i = 0;
-    for(const auto h : data.mesh.halfedges_around_face(data.mesh.halfedge(f))) {
-      points[i] = data.mesh.point(data.mesh.target(h));
-      uv[i++] = data.uv[h];
-    }
-    const Kernel::Triangle_3 triangle(points[0], points[1], points[2]);
-    for(const auto& w : places) {
-      const double u = w[0] * uv[0].x() + w[1] * uv[1].x() + w[2] * uv[2].x(), v = w[0] * uv[0].y() + w[1] * uv[1].y() + w[2] * uv[2].y();
-      squared = (std::max)(squared, CGAL::squared_distance(data.model.faces()[data.patch[f]].surface.point(u, v), triangle));
-    }
-  }
-  return std::sqrt(squared);
+  using namespace CGAL::Parametric_surface_mesher::internal;
+  const auto pieces = pieces_of_patches(data.mesh.faces(), [&](auto f) { return data.patch[f]; });
+  std::vector<double> squared(pieces.size());
+  for_each_piece<CGAL::Parallel_if_available_tag>(
+    data.model, pieces, [&](const auto& piece, std::size_t i, const Model::Surface_3& surface) {
+      for(const auto f : piece.faces)
+        squared[i] = (std::max)(squared[i], largest_squared_distance(data, f, surface));
+    });
+  return squared.empty() ? 0 : std::sqrt(*std::max_element(squared.begin(), squared.end()));
 }
 
-template <class Places>
-CGAL::Parametric_surface_mesh_report make_mesh(const Model& model, const Criteria& given,
-                                               const CGAL::Parametric_surface_mesh_criteria& criteria, Mesh& mesh, const Places& places)
+// Meshes and measures, on as many threads as are wanted.
+template <class Data>
+void mesh_and_measure(const Model& model, const Criteria& given, Progress_line& progress, Data& data)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, (std::max)(given.threads, 1u));
 #else
   if(given.threads > 1)
-    throw std::invalid_argument("threads: this module was built without oneTBB and can use one thread only");
+    throw std::invalid_argument("threads: " + std::to_string(given.threads) + " must be 1, since this module was built without oneTBB");
 #endif
-  return CGAL::make_parametric_surface_mesh<CGAL::Parallel_if_available_tag>(model, criteria, mesh, places);
+  data.report = CGAL::make_parametric_surface_mesh<CGAL::Parallel_if_available_tag>(model, data.criteria, data.mesh,
+                                                                                    data.places().visitor(std::ref(progress)));
+  data.criteria.set_max_edge(data.report.max_edge).set_min_edge(data.report.min_edge);
+  progress.on_phase("measuring");
+  data.distance = largest_distance(data);
+  data.quality = CGAL::triangle_mesh_quality(data.mesh);
 }
 
 } // namespace
@@ -261,11 +286,10 @@ Meshed_model Surface_model::mesh(const Criteria& given, const Mesh_callbacks& ca
   if(callbacks.size)
     model.set_sizing_field([size = callbacks.size](const Point_3& p) { return size(p.x(), p.y(), p.z()); });
   const auto data = std::make_shared<Meshed_model::Data>();
-  Progress_line progress(true, callbacks);
-  data->report = make_mesh(model, given, to_criteria(given), data->mesh, data->places().visitor(std::ref(progress)));
   data->model = m_data->model;
-  data->distance = largest_distance(*data);
-  data->quality = CGAL::triangle_mesh_quality(data->mesh);
+  data->criteria = to_criteria(given);
+  Progress_line progress(true, callbacks);
+  mesh_and_measure(model, given, progress, *data);
   Meshed_model result;
   result.m_data = data;
   return result;
@@ -317,11 +341,46 @@ std::string Meshed_model::json() const
   return json.dump();
 }
 
-std::string Meshed_model::page(const std::string& title, const std::string& summary) const
+namespace {
+
+template <class Data>
+Mesh_findings findings(const Data& data)
 {
+  const mesh_patch::Text_of_length length;
+  const auto& distance = data.criteria.distance();
+  Mesh_findings found;
+  mesh_patch::add_stop(data.report, found);
+  mesh_patch::add_unmet(data.report, data.criteria, length, found);
+  if(distance)
+    mesh_patch::add_distance("surface", data.distance, *distance, found);
+  mesh_patch::add_intersections(data.report, [](std::size_t face) { return face + 1; }, found);
+  return found;
+}
+
+} // namespace
+
+bool Meshed_model::is_whole() const { return findings(*m_data).faults.empty(); }
+
+std::string Meshed_model::summary() const
+{
+  const CGAL::Bbox_3 box = mesh_patch::box_of(m_data->mesh);
+  const auto& allowed = m_data->criteria.distance();
+  std::ostringstream out;
+  out << "mesh of " << mesh_patch::plural(m_data->model.faces().size(), "face") << "; "
+      << mesh_patch::text_of_size(mesh_patch::sides(box)) << "\n";
+  mesh_patch::print_triangles(out, m_data->quality);
+  mesh_patch::print_angles(out, m_data->quality, mesh_patch::number_below_10_degrees(m_data->quality));
+  mesh_patch::print_distance(out, "surface", &m_data->distance, allowed ? &*allowed : nullptr, mesh_patch::text_of_length(box));
+  mesh_patch::print_findings(out, findings(*m_data));
+  return out.str();
+}
+
+std::string Meshed_model::page() const
+{
+  const std::string title = "mesh";
   mesh_patch::check_page(title);
   std::ostringstream out;
-  mesh_patch::write_page(out, CGAL::make_mesh_page(m_data->model, m_data->mesh, m_data->report, m_data->places()), title, "", summary);
+  mesh_patch::write_page(out, CGAL::make_mesh_page(m_data->model, m_data->mesh, m_data->report, m_data->places()), title, "", summary());
   return out.str();
 }
 

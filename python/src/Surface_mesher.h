@@ -90,7 +90,9 @@ class Meshed_model
 public:
   Mesh_arrays arrays() const;
   std::string json() const;
-  std::string page(const std::string& title, const std::string& summary) const; // for a browser
+  std::string summary() const; // a few lines for people
+  std::string page() const;    // for a browser
+  bool is_whole() const;       // whether the summary says that nothing is wrong
   void save(const std::string& file_name, bool is_binary) const;
 };
 

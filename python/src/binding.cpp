@@ -139,8 +139,10 @@ void define_models(py::module_& m)
   py::class_<Meshed_model>(m, "MeshedModel")
     .def("arrays", &arrays<Meshed_model>)
     .def("json", &Meshed_model::json)
-    .def("page", &Meshed_model::page, "title"_a, "summary"_a)
-    .def("save", &Meshed_model::save, "file_name"_a, "is_binary"_a);
+    .def("page", &Meshed_model::page)
+    .def("summary", &Meshed_model::summary)
+    .def("save", &Meshed_model::save, "file_name"_a, "is_binary"_a)
+    .def_property_readonly("is_whole", &Meshed_model::is_whole);
 
   py::class_<Surface_model>(m, "SurfaceModel")
     .def(py::init<>())

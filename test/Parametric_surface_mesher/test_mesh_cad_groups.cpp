@@ -229,7 +229,7 @@ TEST_F(Mesh_cad_groups, parts_that_touch)
   EXPECT_EQ(json("boxes.brep --quiet --conformal --fuzzy 0.02")["contacts"][1]["faces"], 1);
   const std::string summary = run("boxes.brep --conformal").out;
   EXPECT_TRUE(has(summary, "parts boxes/solid_1 and boxes/solid_4 do not touch: they are 0.01 apart")) << summary;
-  EXPECT_TRUE(has(summary, "parts boxes/solid_2 and boxes/solid_3 OVERLAP: they have a volume of 100 in common")) << summary;
+  EXPECT_TRUE(has(summary, "parts boxes/solid_2 and boxes/solid_3 overlap: they have a volume of 100 in common")) << summary;
   EXPECT_EQ(run("boxes.brep --fuzzy 0.1").status, 2);
 }
 

@@ -93,7 +93,8 @@ TEST_F(Mesh_cad_program, helps)
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err, "");
   for(const char* option : {"--max-edge", "--min-edge", "--gamma", "--distance", "--relative-distance", "--angle", "--closeness", "--growth", "--sweeps", "--threads",
-                            "--face-size", "--edge-size", "--local-size", "--size-field", "--sphere-size", "--sew", "--faces", "--unit", "--heal", "--out", "--picture", "--json", "--quiet",
+                            "--face-size", "--edge-size", "--no-measure",
+                            "--local-size", "--size-field", "--sphere-size", "--sew", "--faces", "--unit", "--heal", "--out", "--picture", "--json", "--quiet",
                             ".vtu", ".msh", ".inp", ".step", ".iges", ".brep", "Exit status"})
     EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
@@ -154,6 +155,21 @@ TEST_F(Mesh_cad_program, threads_make_the_same_mesh)
   EXPECT_EQ(content(file("one.off")), content(file("three.off")));
   EXPECT_EQ(run("box.brep --threads 0").status, 2);
 }
+
+// Bit by bit: of curved faces, and of the data of triangles, too.
+TEST_F(Mesh_cad_program, threads_measure_the_same)
+{
+  BRepTools::Write(BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(1, 2).Shape(), box()).Shape(), file("cut.brep").c_str());
+  const auto numbers = [this](const std::string& options) {
+    nlohmann::json result = json("cut.brep --quiet --max-edge 0.03 " + options);
+    for(const char* time : {"seconds", "meshing_phases"})
+      result.erase(time);
+    return result;
+  };
+  EXPECT_EQ(numbers("--out one.vtu"), numbers("--threads 4 --out four.vtu"));
+  EXPECT_EQ(content(file("one.vtu")), content(file("four.vtu")));
+  EXPECT_EQ(numbers("--order 2"), numbers("--order 2 --threads 4"));
+}
 #endif
 
 TEST_F(Mesh_cad_program, edges_grow_inside_faces)
@@ -178,6 +194,60 @@ TEST_F(Mesh_cad_program, numbers)
   EXPECT_GE(numbers["min_angle"], 25);
   EXPECT_EQ(numbers["below_10"], 0);
   EXPECT_LE(numbers["distance"], 1e-12);
+}
+
+// A cylinder is as large as it is, although the vertices of its mesh do not reach that far everywhere.
+TEST_F(Mesh_cad_program, tells_people_what_the_mesh_is_like)
+{
+  BRepTools::Write(BRepPrimAPI_MakeCylinder(50, 20).Shape(), file("cylinder.brep").c_str());
+  const Result round = run("cylinder.brep"), flat = run("box.step --unit CM");
+  EXPECT_EQ(round.status, 0);
+  EXPECT_EQ(round.out.find("cylinder.brep: 1 solid, 3 faces; 100 x 100 x 20 in the unit of the file\n"), 0u) << round.out;
+  EXPECT_NE(flat.out.find(", 1 solid, 6 faces; 0.1 x 0.2 x 0.3 cm\n"), std::string::npos) << flat.out;
+  for(const char* words : {" triangles, ", ", closed\n  angles: minimum ", " degrees; none below 10\n  distance from the shape: at most ",
+                           " allowed\n", "\n  edge lengths: decided for ", "\n  processor time: ", "\n  verdict: "})
+    EXPECT_NE(round.out.find(words), std::string::npos) << words << "\n" << round.out;
+  EXPECT_NE(flat.out.find("  verdict: all is well\n"), std::string::npos) << flat.out;
+  for(const char* words : {"WRONG", "note: ", " 0 edges", " 0 faces", "gamma", "H/L"})
+    EXPECT_EQ(flat.out.find(words), std::string::npos) << words << "\n" << flat.out;
+}
+
+TEST_F(Mesh_cad_program, tells_causes_in_whole_sentences)
+{
+  BRepTools::Write(BRepPrimAPI_MakeCylinder(1, 2).Shape(), file("cylinder.brep").c_str());
+  const Result result = run("cylinder.brep --min-edge 0.3 --max-edge 0.5");
+  EXPECT_NE(result.out.find(" too coarse for the curvature"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find(": edges there are as short as they may be, 0.3; a smaller --min-edge lets them be"), std::string::npos)
+    << result.out;
+  EXPECT_NE(result.out.find("  WRONG: the mesh is much farther from the shape than allowed"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("  verdict: something is WRONG with the mesh"), std::string::npos) << result.out;
+  EXPECT_EQ(result.status, 1);
+}
+
+TEST_F(Mesh_cad_program, leaves_out_measuring)
+{
+  BRepTools::Write(BRepPrimAPI_MakeCylinder(1, 2).Shape(), file("cylinder.brep").c_str());
+  // it is too coarse for the distance, which nobody has measured
+  const Result result = run("cylinder.brep --min-edge 0.3 --max-edge 0.5 --order 2 --no-measure --json numbers.json");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.out.find("  distance from the shape: not measured, "), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("edge lengths: "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("nothing wrong was found, but this was not looked at: the distance from the shape\n"), std::string::npos)
+    << result.out;
+  const auto numbers = nlohmann::json::parse(content(file("numbers.json")));
+  for(const char* number : {"distance", "distance_over_diagonal", "decided_by"})
+    EXPECT_TRUE(numbers[number].is_null()) << number;
+  EXPECT_TRUE(numbers["second_order"]["distance"].is_null());
+  EXPECT_GT(numbers["min_angle"], 20);
+}
+
+TEST_F(Mesh_cad_program, shows_progress_on_a_terminal)
+{
+  const Result result = run_on_terminal("box.brep --max-edge 0.02");
+  EXPECT_EQ(result.status, 0);
+  for(const char* words : {"face ", " of 6: ", " vertices", "looking for self-intersections", "measuring"})
+    EXPECT_NE(result.err.find(words), std::string::npos) << words << "\n" << result.err;
+  EXPECT_EQ(run_on_terminal("box.brep --quiet").err, "");
 }
 
 TEST_F(Mesh_cad_program, follows_sizes)
@@ -238,7 +308,7 @@ TEST_F(Mesh_cad_program, leaves_out_faces_that_cannot_be_meshed)
   const Result result = run("dirty.brep --out dirty.off --json dirty.json");
   EXPECT_EQ(result.status, 1);
   EXPECT_EQ(result.err, "");
-  EXPECT_NE(result.out.find("LEFT OUT face 1: the boundary crosses"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("  WRONG: face 1 is left out: the boundary crosses"), std::string::npos) << result.out;
   EXPECT_NEAR(volume("dirty.off"), 6, 1e-9);
   const auto numbers = nlohmann::json::parse(content(file("dirty.json")));
   ASSERT_EQ(numbers["left_out"].size(), 1u);
@@ -329,13 +399,15 @@ TEST_F(Mesh_cad_program, meshes_thin_walls_apart)
     = "pipe.brep --gamma 0.5 --relative-distance 0.05 --closeness 1000 --max-edge 4 --json pipe.json --out pipe.off";
   const Result reported = run(options + " --self-intersections report");
   EXPECT_EQ(1, reported.status) << reported.err;
-  EXPECT_NE(std::string::npos, reported.out.find("THE MESH INTERSECTS ITSELF"));
+  EXPECT_NE(std::string::npos, reported.out.find("  WRONG: the mesh intersects itself: faces "));
   const auto intersections = [&] { return nlohmann::json::parse(content(file("pipe.json")))["self_intersections"]; };
   ASSERT_EQ(1u, intersections().size());
   EXPECT_FALSE(intersections()[0]["of_shape"].get<bool>());
   EXPECT_EQ(0, run(options + " --self-intersections refine").status);
   EXPECT_EQ(0u, intersections().size());
-  EXPECT_EQ(0, run(options + " --self-intersections ignore").status);
+  const Result ignored = run(options + " --self-intersections ignore");
+  EXPECT_EQ(0, ignored.status);
+  EXPECT_NE(std::string::npos, ignored.out.find("but this was not looked at: whether the mesh intersects itself\n"));
 }
 
 TEST_F(Mesh_cad_program, sews_the_faces_of_an_iges_file)
@@ -449,16 +521,23 @@ TEST_F(Mesh_cad_program, refuses_what_it_cannot_do)
   expect_refused("box.txt --out a.off", "cannot open");
   expect_refused("box.step box.brep", "more than one");
   expect_refused("box.step --out a.xyz", "must end in .off, .obj");
-  expect_refused("box.step --angle 60", "--angle");
-  expect_refused("box.step --max-edge -1", "--max-edge");
-  expect_refused("box.step --max-edge 1 --min-edge 2", "--min-edge");
+  expect_refused("box.step --angle 60", "--angle: 60 must be an angle in degrees that is at least 0 and below 60");
+  expect_refused("box.step --max-edge -1", "--max-edge: -1 must be a finite number greater than 0");
+  expect_refused("box.step --max-edge 1 --min-edge 2", "--min-edge: 2 must be at most the length of --max-edge, 1");
+  expect_refused("box.step --growth 11", "--growth: 11 must be a number that is at least 0 and below 10");
+  expect_refused("box.step --layers 2000", "--layers: 2000 must be a number of at least 1 and at most 1000");
+  expect_refused("box.step --sew -2", "--sew: -2 must be a finite number of at least 0");
+  expect_refused("box.step --conformal --fuzzy nan", "--fuzzy: nan must be a finite number of at least 0");
+  expect_refused("box.step --threads -1", "--threads: -1 must be a whole number from 1 to 1024");
+  expect_refused("box.step --sweeps 1001", "--sweeps: 1001 must be a whole number from 0 to 1000");
+  expect_refused("box.step --order 3", "--order: 3 must be a whole number from 1 to 2");
   expect_refused("box.step --faces 7", "there is no face 7");
   expect_refused("box.step --faces 3-1", "ascending");
   expect_refused("box.step --face-size 1", "--face-size");
   expect_refused("box.step --edge-size 99:1", "there is no edge 99");
   expect_refused("box.step --unit PARSEC", "not a unit");
   expect_refused("box.step --fineness ultra", "must be coarse, normal or fine");
-  expect_refused("box.step --elements-per-turn 2", "--elements-per-turn");
+  expect_refused("box.step --elements-per-turn 2", "--elements-per-turn: 2 must be a number of at least 3 and at most 1000000");
   expect_refused("box.step --elements-per-turn 20 --gamma 0.1", "exclude each other");
   expect_refused("box.step --edge-size 1:1e-9", "is below that of --min-edge");
   expect_refused("box.step --face-size 1:1e-9", "is below that of --min-edge");

@@ -157,11 +157,23 @@ TEST_F(Mesh_patch_program, closes_what_is_closed)
 
 TEST_F(Mesh_patch_program, tells_what_is_closed)
 {
-  EXPECT_NE(run("sphere").out.find("triangles, 1 connected component, closed\n"), std::string::npos);
-  EXPECT_NE(run("cyl").out.find("triangles, 1 connected component, 2 boundary cycles\n"), std::string::npos);
-  EXPECT_EQ(run("cyl").out.find("closed"), std::string::npos);
-  EXPECT_EQ(run("box").out.find("box: model of 6 faces, "), 0u);
-  EXPECT_EQ(run("sphere").out.find("model"), std::string::npos);
+  EXPECT_NE(run("sphere").out.find(" vertices, closed\n"), std::string::npos);
+  EXPECT_NE(run("cyl").out.find(" vertices, open: it has 2 borders\n"), std::string::npos);
+  EXPECT_EQ(run("box").out.find("box: 6 faces; "), 0u);
+  EXPECT_EQ(run("sphere").out.find("sphere: 2 x 2 x 2\n"), 0u) << run("sphere").out;
+}
+
+TEST_F(Mesh_patch_program, tells_people_what_the_mesh_is_like)
+{
+  const Result good = run("flat"), coarse = run("peak --max-edge 0.5 --min-edge 0.4 --distance 0.01");
+  EXPECT_EQ(good.status, 0);
+  EXPECT_NE(good.out.find("  verdict: all is well\n"), std::string::npos) << good.out;
+  for(const char* words : {"WRONG", "note: ", "H/L", "2r/R", "allowed"})
+    EXPECT_EQ(good.out.find(words), std::string::npos) << good.out;
+  EXPECT_EQ(coarse.status, 1);
+  EXPECT_NE(coarse.out.find("  WRONG: the mesh is much farther from the surface than allowed"), std::string::npos) << coarse.out;
+  EXPECT_NE(coarse.out.find(" farther from the surface than 0.01: edges there are as short as they may be, 0.4; "), std::string::npos)
+    << coarse.out;
 }
 
 TEST_F(Mesh_patch_program, gives_samples_their_area)
@@ -437,11 +449,12 @@ TEST_F(Mesh_patch_program, refuses_impossible_values)
       expect_refused(std::string("flat --out out.off ") + option + " " + value, option);
   for(const char* value : {"-1", "60", "90", "nan"})
     expect_refused(std::string("flat --angle ") + value, "--angle");
-  expect_refused("flat --max-edge 0.1 --min-edge 0.2", "--min-edge");
-  expect_refused("flat --min-edge 5", "--min-edge");
+  expect_refused("flat --max-edge 0.1 --min-edge 0.2", "--min-edge: 0.2 must be at most the length of --max-edge, 0.1");
+  expect_refused("flat --min-edge 5", "--min-edge: 5 must be at most the length of --max-edge, which is ");
   expect_refused("flat --metric euclidean", "euclidean");
   expect_refused("flat --ellipses 5", "--uv-picture");
-  expect_refused("flat --ellipses -5 --uv-picture u.svg", "--ellipses");
+  expect_refused("flat --ellipses -5 --uv-picture u.svg", "--ellipses: -5 must be a whole number from 0 to 1000000");
+  expect_refused("flat --improvement-angle 61", "--improvement-angle: 61 must be an angle in degrees that is at least 0 and below 60");
   for(const char* value : {"1,2", "1,2,3,4,5", "a,b,c,d", "-1,1,1,1", "1,,1,1", "99999999,1,1,1", "''"})
     expect_refused(std::string("flat --division ") + value, "--division");
   expect_refused("hole --division 1,2", "hole takes 5 numbers");

@@ -5,7 +5,9 @@
 #ifndef MESH_CAD_CONTACTS_H
 #define MESH_CAD_CONTACTS_H
 
+#include "Mesh_findings.h"
 #include "Usage_error.h"
+#include "text_of_numbers.h"
 
 #include <CGAL/Open_cascade_names_3.h>
 #include <CGAL/fuse_open_cascade_solids.h>
@@ -16,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,29 +72,25 @@ inline nlohmann::ordered_json json_of_contacts(const std::vector<Contact_of_part
   return result;
 }
 
-inline void print_contacts(std::ostream& out, const std::vector<Contact_of_parts>& contacts)
+// In sentences: how many faces lie between parts, and which parts overlap or nearly touch.
+inline void add_contacts(const std::vector<Contact_of_parts>& contacts, const mesh_patch::Text_of_length& length, Mesh_findings& findings)
 {
-  const std::size_t max_number_of_lines = 20;
-  std::size_t number_of_faces = 0, number_touching = 0, number_of_lines = 0;
+  std::size_t number_of_faces = 0, number_touching = 0;
+  std::vector<std::string> sentences;
   for(const auto& contact : contacts) {
     number_of_faces += contact.number_of_faces;
     number_touching += contact.number_of_faces > 0;
+    const std::string parts = "parts " + contact.parts[0] + " and " + contact.parts[1];
+    if(contact.common_volume > 0)
+      sentences.push_back(parts + " overlap: they have a volume of " + mesh_patch::text_of(contact.common_volume)
+                          + (length.unit.empty() ? "" : " " + length.unit + "^3") + " in common, which became a solid of its own");
+    else if(contact.distance > 0)
+      sentences.push_back(parts + " do not touch: they are " + length(contact.distance) + " apart; --fuzzy joins parts that are closer");
   }
   if(number_touching > 0)
-    out << "  " << mesh_patch::plural(number_of_faces, "face") << " between " << mesh_patch::plural(number_touching, "pair")
-        << " of parts, with the same triangles on both sides\n";
-  for(const auto& contact : contacts) {
-    const bool does_overlap = contact.common_volume > 0;
-    if((!does_overlap && !(contact.distance > 0)) || ++number_of_lines > max_number_of_lines)
-      continue;
-    out << "  parts " << contact.parts[0] << " and " << contact.parts[1];
-    if(does_overlap)
-      out << " OVERLAP: they have a volume of " << contact.common_volume << " in common, which became a solid of its own\n";
-    else
-      out << " do not touch: they are " << contact.distance << " apart; --fuzzy joins parts that are closer\n";
-  }
-  if(number_of_lines > max_number_of_lines)
-    out << "  and " << number_of_lines - max_number_of_lines << " more of such pairs, in the file of --json\n";
+    findings.notes.push_back(mesh_patch::plural(number_of_faces, "face") + " between " + mesh_patch::plural(number_touching, "pair")
+                             + " of parts that touch: both parts have the same triangles there");
+  mesh_patch::append_first(sentences, "pairs of parts that overlap or do not touch, which --json lists", findings.notes);
 }
 
 } // namespace mesh_cad

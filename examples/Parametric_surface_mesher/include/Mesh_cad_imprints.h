@@ -6,7 +6,9 @@
 #define MESH_CAD_IMPRINTS_H
 
 #include "Local_size.h"
+#include "Mesh_findings.h"
 #include "Usage_error.h"
+#include "text_of_numbers.h"
 
 #include <CGAL/IO/read_open_cascade_shape.h>
 #include <CGAL/Open_cascade_names_3.h>
@@ -22,7 +24,6 @@
 
 #include <array>
 #include <cstddef>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -111,17 +112,15 @@ inline nlohmann::ordered_json json_of_imprints(const std::vector<Imprint_on_face
   return result;
 }
 
-inline void print_imprints(std::ostream& out, const std::vector<Imprint_on_faces>& imprints)
+inline void add_imprints(const std::vector<Imprint_on_faces>& imprints, const mesh_patch::Text_of_length& length, Mesh_findings& findings)
 {
-  const std::size_t max_number_of_lines = 20;
-  for(std::size_t i = 0; i < imprints.size() && i < max_number_of_lines; ++i) {
-    out << "  " << imprints[i].name << " was " << imprints[i].distance << " away from the faces";
-    if(imprints[i].length > 0)
-      out << "; length " << imprints[i].length << ", on the faces " << imprints[i].projected_length;
-    out << "\n";
+  std::vector<std::string> sentences;
+  for(const auto& imprint : imprints) {
+    sentences.push_back(imprint.name + " was " + length(imprint.distance) + " away from the faces");
+    if(imprint.length > 0)
+      sentences.back() += "; it is " + length(imprint.length) + " long, and on the faces " + length(imprint.projected_length);
   }
-  if(imprints.size() > max_number_of_lines)
-    out << "  and " << imprints.size() - max_number_of_lines << " more points and curves, in the file of --json\n";
+  mesh_patch::append_first(sentences, "points and curves, which --json lists", findings.notes);
 }
 
 } // namespace mesh_cad

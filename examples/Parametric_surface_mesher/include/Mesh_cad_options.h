@@ -43,7 +43,7 @@ struct Mesh_cad_options
   std::vector<Point_on_faces> points; // from `point_list`
   std::string curves;                 // a file
   double reach = 0;                   // of points and curves; 0 if not given
-  bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false;
+  bool is_conformal = false, is_healing_wanted = false, is_detail_kept = false, is_measuring_left_out = false;
   bool is_quiet = false, is_help_wanted = false, is_version_wanted = false, is_list_wanted = false, is_face_list_wanted = false;
   bool are_node_parameters_wanted = false, is_binary = false;
   Mesh_callbacks callbacks; // of programs that use mesh_cad as a library
@@ -52,6 +52,12 @@ struct Mesh_cad_options
 namespace mesh_cad {
 
 namespace po = boost::program_options;
+
+// The file without its folder.
+inline std::string title(const Mesh_cad_options& options)
+{
+  return options.input.substr(options.input.find_last_of('/') + 1);
+}
 
 const char* const introduction =
   "Usage: mesh_cad INPUT [OPTION]...\n"
@@ -75,6 +81,7 @@ const char* const conclusion =
   "no triangles, and the faces on both sides of it meet.\n"
   "\n"
   "The file of --json contains, among others:\n"
+  "  size                           the lengths of the sides of the box around the mesh\n"
   "  faces, meshed_faces            the number of faces of the shape, and of those in the mesh\n"
   "  left_out, closed_up            faces that could not be meshed; faces that are closed up\n"
   "  collapsed_edges                edges so short that they became a vertex\n"
@@ -93,7 +100,8 @@ const char* const conclusion =
   "                                 and whether the shape itself meets itself there\n"
   "  folds                          the same for neighbouring triangles that face each other, though the\n"
   "                                 shape is not folded there\n"
-  "  distance                       the largest distance measured from surfaces and edges to the mesh\n"
+  "  distance                       the largest distance measured from surfaces and edges to the mesh;\n"
+  "                                 this and the next two are null with --no-measure\n"
   "  distance_over_diagonal         the same as a share of the diagonal of the shape's bounding box\n"
   "  decided_by                     the shares of triangles whose size is decided by the maximum edge,\n"
   "                                 by gamma, by the distance, or by what is around them\n"
@@ -118,12 +126,16 @@ const char* const conclusion =
   "  seconds                        processor time: reading, model, meshing, second_order, measuring,\n"
   "                                 and looking for intersections\n"
   "\n"
+  "In the summary, the mean of the angles is that of the smallest angle of each triangle; 60 would be\n"
+  "perfect. Lines with WRONG tell what is wrong with the mesh, and decide the exit status; notes do not.\n"
+  "\n"
   "Exit status:\n"
-  "  0  all faces are meshed, or closed up\n"
+  "  0  nothing is wrong: all faces are meshed, or closed up\n"
   "  1  the files are written, but something is wrong: a face is left out, could not be read or was\n"
-  "     lost by sewing; the mesh is not closed although the shape is; the mesh of a solid intersects\n"
-  "     itself where the shape does not; or the mesh is more than 1.5 times as far from the shape as\n"
-  "     --distance allows\n"
+  "     lost by sewing; the mesh is not closed although the shape is; the mesh intersects itself where\n"
+  "     the shape does not, or is folded; triangles are turned to the wrong side; curved triangles have\n"
+  "     no area or are folded; or the mesh is more than 1.5 times as far from the shape as --distance\n"
+  "     allows, if that was measured\n"
   "  2  an error, which is one line on the standard error output; no file is written\n";
 
 inline po::options_description described_options(Mesh_cad_options& o)
@@ -185,7 +197,7 @@ inline po::options_description described_options(Mesh_cad_options& o)
      "be given several times")
     ("unit", text(o.unit, "UNIT"),
      "unit of lengths, of options and results: UM, MM, CM, M, KM, UIN, MIL, INCH, FT or MI (MM); BREP files have no unit")
-    ("threads", po::value<unsigned int>(&o.threads)->value_name("N"), "number of threads that mesh faces (1)")
+    ("threads", mesh_patch::whole_number("threads", 1, 1024, o.threads), "number of threads that mesh faces and measure (1)")
     ("sew", number(o.sewing_tolerance),
      "join edges of different faces that are at most this far apart; IGES files are sewn by default, 0 turns this off (IGES: "
      "0.00001 of the diagonal, others: 0)")
@@ -217,6 +229,8 @@ inline po::options_description described_options(Mesh_cad_options& o)
     ("node-parameters", po::bool_switch(&o.are_node_parameters_wanted),
      "write the parameters of nodes on their edges and faces, too, in .msh (Gmsh reads them, meshio does not) and .vtu")
     ("json", text(o.json, "FILE"), "the results in numbers, as .json")
+    ("no-measure", po::bool_switch(&o.is_measuring_left_out),
+     "do not measure how far the mesh is from the shape, nor what decides edge lengths, which may take as long as meshing")
     ("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors")
     ("version", po::bool_switch(&o.is_version_wanted), "print the versions of this program and of its libraries, and stop")
     ("help,h", po::bool_switch(&o.is_help_wanted), "print this and stop");
@@ -234,41 +248,34 @@ inline void check_values(const po::variables_map& given, const Mesh_cad_options&
   for(const char* option : {"max-edge", "min-edge", "gamma", "distance", "relative-distance", "detail", "closeness", "reach"})
     mesh_patch::check_positive(given, option);
   if(given.count("elements-per-turn") != 0 && !(o.elements_per_turn >= 3 && o.elements_per_turn <= 1e6))
-    throw Usage_error("--elements-per-turn: the number must be at least 3 and at most 1000000");
+    mesh_patch::refuse("elements-per-turn", o.elements_per_turn, "a number of at least 3 and at most 1000000");
   if(given.count("elements-per-turn") != 0 && given.count("gamma") != 0)
     throw Usage_error("--elements-per-turn and --gamma exclude each other");
-  if(!(o.angle >= 0 && o.angle < 60))
-    throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
+  mesh_patch::check_angle("angle", o.angle);
   if(!(o.growth >= 0 && o.growth < 10))
-    throw Usage_error("--growth: the growth must be at least 0 and below 10");
+    mesh_patch::refuse("growth", o.growth, "a number that is at least 0 and below 10");
   if(given.count("layers") != 0 && !(o.layers >= 1 && o.layers <= 1000))
-    throw Usage_error("--layers: the number must be at least 1 and at most 1000");
-  if(given.count("sew") != 0 && !(o.sewing_tolerance >= 0 && std::isfinite(o.sewing_tolerance)))
-    throw Usage_error("--sew: the distance must be a finite number, at least 0");
+    mesh_patch::refuse("layers", o.layers, "a number of at least 1 and at most 1000");
+  if(given.count("sew") != 0)
+    mesh_patch::check_at_least_0("sew", o.sewing_tolerance);
   if((o.is_list_wanted || o.is_face_list_wanted) && (given.count("out") != 0 || given.count("picture") != 0 || given.count("page") != 0))
     throw Usage_error("--list and --list-faces mesh nothing, and cannot be given with --out, --picture or --page");
-  if(!(o.fuzzy >= 0 && std::isfinite(o.fuzzy)))
-    throw Usage_error("--fuzzy: the distance must be a finite number, at least 0");
+  mesh_patch::check_at_least_0("fuzzy", o.fuzzy);
   if(given.count("reach") != 0 && given.count("point") == 0 && given.count("curves") == 0)
     throw Usage_error("--reach has a meaning only with --point or --curves");
   if(given.count("fuzzy") != 0 && !o.is_conformal)
     throw Usage_error("--fuzzy has a meaning only with --conformal");
   if(o.self_intersections != "refine" && o.self_intersections != "report" && o.self_intersections != "ignore")
     throw Usage_error("--self-intersections: '" + o.self_intersections + "' must be refine, report or ignore");
-  mesh_patch::check_sweeps(o.sweeps);
-  mesh_patch::check_order(o.order);
   mesh_patch::check_page(o.page);
   mesh_patch::check_picture(o.picture);
-  if(o.threads == 0 || o.threads > 1024)
-    throw Usage_error("--threads: the number must be at least 1 and at most 1024");
 #ifndef CGAL_LINKED_WITH_TBB
   if(o.threads > 1)
-    throw Usage_error("--threads: this program was built without oneTBB and can use one thread only");
+    throw Usage_error("--threads: " + std::to_string(o.threads) + " must be 1, since this program was built without oneTBB");
 #endif
   if(o.detail > 0 && o.is_detail_kept)
     throw Usage_error("--detail and --keep-detail exclude each other");
-  if(o.max_edge > 0 && o.min_edge > o.max_edge)
-    throw Usage_error("--min-edge must not be larger than --max-edge");
+  mesh_patch::check_edge_lengths(o.min_edge, o.max_edge);
 }
 
 // Of the options that are not given.

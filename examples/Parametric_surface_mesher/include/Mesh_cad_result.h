@@ -9,12 +9,15 @@
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_parts.h"
 #include "Mesh_cad_sizes.h"
+#include "Progress_line.h"
 #include "Second_order_measures.h"
 #include "Silence.h"
 #include "deciding_bounds.h"
 #include "measure_cad_mesh.h"
+#include "text_of_numbers.h"
 #include "triangle_data.h"
 #include "unit_of_length.h"
+#include "with_threads.h"
 
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
@@ -37,10 +40,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,7 @@ struct Mesh_cad_result
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
   Cad_mesh_measures measures;
+  bool is_distance_measured = true; // else this distance, that of curved triangles and the next are not known
   mesh_cad::Deciding_bounds deciding_bounds;
   mesh_cad::Layers layers; // with --layers
   boost::optional<Second_order_measures> second_order;
@@ -67,7 +69,8 @@ struct Mesh_cad_result
   std::vector<Imprint_on_faces> imprints; // with --point and --curves
   TopoDS_Shape open_cascade_shape; // that was meshed, in millimetres
   std::size_t number_of_sewn_edges = 0, number_of_lost_faces = 0; // joined and lost by sewing
-  double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, second_order_seconds = 0, measuring_seconds = 0, intersections_seconds = 0;
+  double reading_seconds = 0, model_seconds = 0, meshing_seconds = 0, second_order_seconds = 0, measuring_seconds = 0,
+         intersections_seconds = 0;
 };
 
 namespace mesh_cad {
@@ -210,13 +213,17 @@ inline TopoDS_Shape read_shape(const Mesh_cad_options& options, Mesh_cad_result&
   return shape;
 }
 
-// The number of the face and the reason.
-inline std::string closed_up_text(const CGAL::Open_cascade_model_3::Closed_up_face& face)
+// BREP files have no unit.
+inline bool has_unit(const Mesh_cad_options& options)
 {
-  std::ostringstream text;
-  text.precision(3);
-  text << face.shape_face + 1 << " is closed up: it is nowhere wider than " << face.width;
-  return text.str();
+  const std::string ending = CGAL::Parametric_surface_mesher::internal::ending_of(options.input);
+  return ending != "brep" && ending != "rle";
+}
+
+// The number of the face and the reason.
+inline std::string closed_up_text(const CGAL::Open_cascade_model_3::Closed_up_face& face, const mesh_patch::Text_of_length& length)
+{
+  return std::to_string(face.shape_face + 1) + " is closed up: it is nowhere wider than " + length(face.width);
 }
 
 // Lists the faces of the shape that have lost all their triangles. A face with creases is several of the model.
@@ -239,7 +246,8 @@ inline void make_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
 {
   if(result.shape.model.faces().empty()) {
     if(!result.shape.closed_up.empty() && result.left_out.empty())
-      throw Usage_error("no face is left to mesh; face " + closed_up_text(result.shape.closed_up.front()));
+      throw Usage_error("no face is left to mesh; face "
+                        + closed_up_text(result.shape.closed_up.front(), {has_unit(options) ? "mm" : ""}));
     if(result.left_out.empty())
       throw Usage_error("no face could be read from " + options.input);
     throw Usage_error("no face can be meshed; face " + std::to_string(result.left_out.front().shape_face + 1) + ": "
@@ -259,24 +267,37 @@ inline void make_second_order(Mesh_cad_result& result)
     = CGAL::make_second_order_mesh(result.shape.model, result.mesh.mesh, result.mesh.mid_side_nodes, result.mesh.places());
 }
 
-// BREP files have no unit.
-inline bool has_unit(const Mesh_cad_options& options)
-{
-  const std::string ending = CGAL::Parametric_surface_mesher::internal::ending_of(options.input);
-  return ending != "brep" && ending != "rle";
-}
-
 inline double unit_in_millimetres(const Mesh_cad_options& options)
 {
   const double result = millimetres_of(options.unit);
   return has_unit(options) ? result : 1;
 }
 
-// How far the mesh was measured to be from the shape, as a multiple of what it may be. What edges of the file are off their faces is allowed for.
-inline double share_of_allowed_distance(const Mesh_cad_result& result)
+// To look at the finished mesh is no meshing. The report has the times of a clock that goes on while others use the processor: what
+// counts are shares of them.
+inline void take_out_intersections(Mesh_cad_result& result)
 {
-  const double allowed = result.criteria.distance().value_or(std::numeric_limits<double>::infinity()) + result.shape.largest_gap;
-  return result.measures.distance / allowed;
+  const auto& seconds = result.report.seconds;
+  if(seconds.intersections > 0)
+    result.intersections_seconds = result.meshing_seconds * seconds.intersections / seconds.meshing();
+  result.meshing_seconds -= result.intersections_seconds;
+}
+
+// What takes its time: distances, and values of all triangles.
+template <class ConcurrencyTag>
+void measure_mesh(const Mesh_cad_options& options, Mesh_cad_result& result)
+{
+  result.measures = measure(result.mesh, result.shape, result.criteria.min_edge());
+  result.is_distance_measured = !options.is_measuring_left_out;
+  if(result.is_distance_measured) {
+    measure_distance<ConcurrencyTag>(result.mesh, result.shape, result.measures);
+    result.deciding_bounds = deciding_bounds<ConcurrencyTag>(result.mesh, result.shape, result.criteria);
+    if(result.second_order)
+      result.second_order->distance = CGAL::second_order_mesh_distance<ConcurrencyTag>(
+        result.shape.model, result.mesh.mesh, result.mesh.mid_side_nodes, result.mesh.places(), mesh_patch::subdivisions_for_distance);
+  }
+  if(mesh_patch::has_ending(options.out, ".vtu"))
+    result.triangle_data = triangle_data<ConcurrencyTag>(result.mesh, result.shape);
 }
 
 inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& result)
@@ -302,23 +323,18 @@ inline void mesh_and_measure(const Mesh_cad_options& given, Mesh_cad_result& res
     set_sizes(sizes, result.shape);
   });
   result.left_out = result.shape.left_out;
-  result.meshing_seconds = seconds_of([&] {
-    if(options.layers > 0 && !result.shape.model.faces().empty())
-      result.layers = add_layer_sizes(options, result.shape, result.criteria);
-    make_mesh(options, result);
-  });
-  result.intersections_seconds = (std::min)(result.report.seconds.intersections, result.meshing_seconds);
-  result.meshing_seconds -= result.intersections_seconds; // to look at the finished mesh is measuring
+  double layers_seconds = 0;
+  if(options.layers > 0 && !result.shape.model.faces().empty())
+    layers_seconds = seconds_of([&] { result.layers = add_layer_sizes(options, result.shape, result.criteria); });
+  result.meshing_seconds = seconds_of([&] { make_mesh(options, result); });
+  take_out_intersections(result);
+  result.meshing_seconds += layers_seconds;
   if(options.order == 2)
     result.second_order_seconds = seconds_of([&] { make_second_order(result); });
   result.measuring_seconds = seconds_of([&] {
-    if(result.second_order)
-      result.second_order->distance = CGAL::second_order_mesh_distance(
-        result.shape.model, result.mesh.mesh, result.mesh.mid_side_nodes, result.mesh.places(), mesh_patch::subdivisions_for_distance);
-    result.deciding_bounds = deciding_bounds(result.mesh, result.shape, result.criteria);
-    result.measures = measure(result.mesh, result.shape, result.criteria.min_edge());
-    if(mesh_patch::has_ending(options.out, ".vtu"))
-      result.triangle_data = triangle_data(result.mesh, result.shape);
+    Progress_line progress(options.is_quiet, options.callbacks);
+    progress.on_phase("measuring");
+    with_threads(options.threads, [&](auto tag) { measure_mesh<decltype(tag)>(options, result); });
     if(!options.page.empty() || !options.picture.empty()) {
       result.page = CGAL::make_mesh_page(result.shape.model, result.mesh.mesh, result.report, result.mesh.places());
       CGAL::name_mesh_page(result.shape, result.names, result.page);

@@ -5,10 +5,11 @@
 #ifndef MESH_CAD_SIZES_H
 #define MESH_CAD_SIZES_H
 
+#include "Cad_mesh.h"
 #include "Mesh_cad_names.h"
 #include "Mesh_cad_options.h"
 #include "Progress_line.h"
-#include "measure_cad_mesh.h"
+#include "with_threads.h"
 
 #include <CGAL/Graded_sizing_field_3.h>
 #include <CGAL/IO/read_node_values.h>
@@ -20,10 +21,6 @@
 #include <CGAL/Parametric_surface_mesher/divide_curve.h>
 #include <CGAL/layer_sizes.h>
 #include <CGAL/make_parametric_surface_mesh.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -52,13 +49,9 @@ inline CGAL::Parametric_surface_mesh_report mesh_model(const Mesh_cad_options& o
 {
   Progress_line progress(options.is_quiet, options.callbacks);
   const auto np = mesh.places(CGAL::parameters::leaves_out_bad_faces(true).visitor(std::ref(progress)));
-#ifdef CGAL_LINKED_WITH_TBB
-  if(options.threads > 1) {
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, options.threads);
-    return CGAL::make_parametric_surface_mesh<CGAL::Parallel_tag>(model, criteria, mesh.mesh, np);
-  }
-#endif
-  return CGAL::make_parametric_surface_mesh(model, criteria, mesh.mesh, np);
+  return with_threads(options.threads, [&](auto tag) {
+    return CGAL::make_parametric_surface_mesh<decltype(tag)>(model, criteria, mesh.mesh, np);
+  });
 }
 
 // What the options ask for near faces, edges and vertices.

@@ -167,7 +167,7 @@ inline CGAL::Parametric_surface_mesh_criteria make_criteria(const Mesh_patch_opt
   if(!(max_edge > 0) || !std::isfinite(max_edge))
     throw Usage_error(input.name + " is a point, so that --max-edge has no default");
   if(options.min_edge > max_edge)
-    throw Usage_error("--min-edge must not be larger than --max-edge, which is " + std::to_string(max_edge) + " by default");
+    refuse("min-edge", options.min_edge, "at most the length of --max-edge, which is " + text_of(max_edge) + " by default");
   criteria.set_max_edge(max_edge);
   criteria.set_min_edge(options.min_edge > 0 ? options.min_edge : max_edge / 200);
   criteria.set_placement(options.placement == "frontal"      ? CGAL::Parametric_surface_mesher::Mesh_point_placement::FRONTAL

@@ -33,7 +33,7 @@ struct Mesh_patch_options
   boost::optional<unsigned int> sweeps;
   std::vector<unsigned int> numbers_of_edges; // from `division`
   unsigned int order = 1;
-  int ellipses = 0;
+  unsigned int ellipses = 0;
   bool is_quiet = false, is_help_wanted = false, is_version_wanted = false;
 };
 
@@ -56,7 +56,7 @@ inline std::string introduction()
 const char* const conclusion =
   "\n"
   "Lengths are in the unit of the surface. The boundary is divided first and then never\n"
-  "changed. Triangles that fail a criterion for this reason are called boundary-limited.\n"
+  "changed; so some triangles beside it may fail a criterion.\n"
   "Faces, edges and loops are counted from 1; a .ply file holds the face of each triangle.\n"
   "\n"
   "The file of --json contains, among others:\n"
@@ -82,8 +82,13 @@ const char* const conclusion =
   "In --uv and --uv-picture the patches of a model lie side by side, uv_columns (of --json) in a\n"
   "row: the one in column i of row j, counted from 0, is moved by (i, -j) times uv_shift.\n"
   "\n"
-  "Exit status: 0 if there is a mesh, even if not all triangles meet the criteria; 2 after an\n"
-  "error, which is one line on the standard error output, and no file is written.\n";
+  "In the summary, the mean of the angles is that of the smallest angle of each triangle; 60 would be\n"
+  "perfect. Lines with WRONG tell what is wrong with the mesh, and decide the exit status; notes do not.\n"
+  "\n"
+  "Exit status: 0 if nothing is wrong with the mesh, even if not all triangles meet the criteria; 1 if\n"
+  "something is: triangles are turned to the wrong side or outside of the domain, curved triangles have\n"
+  "no area or are folded, or the mesh is more than 1.5 times as far from the surface as --distance\n"
+  "allows; 2 after an error, which is one line on the standard error output, and no file is written.\n";
 
 inline po::options_description described_options(Mesh_patch_options& o)
 {
@@ -125,7 +130,7 @@ inline po::options_description described_options(Mesh_patch_options& o)
     ("out,o", file(o.out), "the mesh, as .off, .obj, .ply or .stl; with --order 2 as .vtu, .msh, .inp or .bdf")
     ("uv", file(o.uv), "the same triangles in the domain, as points (u,v,0); endings as for --out")
     ("uv-picture", file(o.uv_picture), "a picture of the triangles in the domain, as .svg")
-    ("ellipses", po::value<int>(&o.ellipses)->value_name("N"), "the number of circumellipses in --uv-picture (0)")
+    ("ellipses", whole_number("ellipses", 0, 1000000, o.ellipses), "the number of circumellipses in --uv-picture (0)")
     ("json", file(o.json), "the results in numbers, as .json")
     ("quiet", po::bool_switch(&o.is_quiet), "print nothing but errors")
     ("version", po::bool_switch(&o.is_version_wanted), "print the versions of this program and of its libraries, and stop")
@@ -159,22 +164,15 @@ inline void check_values(const po::variables_map& given, const Mesh_patch_option
 {
   for(const char* option : {"max-edge", "min-edge", "gamma", "size-factor", "distance"})
     check_positive(given, option);
-  if(!(o.angle >= 0 && o.angle < 60))
-    throw Usage_error("--angle: the smallest angle must be at least 0 and below 60 degrees");
-  if(!(o.improvement_angle >= 0 && o.improvement_angle < 60))
-    throw Usage_error("--improvement-angle: the angle must be at least 0 and below 60 degrees");
-  check_sweeps(o.sweeps);
-  check_order(o.order);
+  check_angle("angle", o.angle);
+  check_angle("improvement-angle", o.improvement_angle);
   check_page(o.page);
   check_picture(o.picture);
   if(o.placement != "frontal" && o.placement != "off-center" && o.placement != "circumcenter")
     throw Usage_error("--placement: '" + o.placement + "' must be frontal, off-center or circumcenter");
-  if(o.max_edge > 0 && o.min_edge > o.max_edge)
-    throw Usage_error("--min-edge must not be larger than --max-edge");
+  check_edge_lengths(o.min_edge, o.max_edge);
   if(o.metric != "first-fundamental-form" && o.metric != "principal-curvature")
     throw Usage_error("--metric: '" + o.metric + "' must be first-fundamental-form or principal-curvature");
-  if(o.ellipses < 0)
-    throw Usage_error("--ellipses: the number must not be negative");
   if(o.ellipses > 0 && o.uv_picture.empty())
     throw Usage_error("--ellipses needs --uv-picture, the picture that they are drawn in");
 }

@@ -1,13 +1,14 @@
 // This file is part of Parametric_surface_mesher, an extension package of CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The files and the summary of mesh_patch.
+// The files of mesh_patch.
 #ifndef MESH_PATCH_OUTPUT_H
 #define MESH_PATCH_OUTPUT_H
 
 #include "Mesh_patch_input.h"
 #include "Mesh_patch_options.h"
 #include "Mesh_patch_result.h"
+#include "Mesh_patch_summary.h"
 #include "Model_counts.h"
 #include "Output_files.h"
 #include "Patch_triangles.h"
@@ -149,8 +150,6 @@ inline void write_json(std::ostream& out, const Mesh_patch_input& input, const M
   out << json.dump(2) << "\n";
 }
 
-inline void print_summary(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_result& result);
-
 inline void write_page(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_result& result)
 {
   std::ostringstream summary;
@@ -183,39 +182,6 @@ inline Output_files output_files(const Mesh_patch_options& o, const Mesh_patch_i
   add("page", o.page, {".html"}, [&](std::ostream& out) { write_page(out, input, result); });
   add("json", o.json, {".json"}, [&](std::ostream& out) { write_json(out, input, o, result); });
   return files;
-}
-
-// The first line of the summary.
-inline void print_size(std::ostream& out, const Mesh_patch_input& input, const CGAL::Triangle_mesh_quality& q)
-{
-  out << input.name << ": ";
-  if(input.patches.size() > 1)
-    out << "model of " << plural(input.patches.size(), "face") << ", ";
-  out << plural(q.number_of_vertices, "vertex", "vertices") << ", " << plural(q.number_of_faces, "triangle") << ", "
-      << plural(q.number_of_connected_components, "connected component") << ", "
-      << (q.is_closed ? "closed" : plural(q.number_of_boundary_cycles, "boundary cycle"))
-      << (q.is_manifold ? "" : ", NOT MANIFOLD") << "\n";
-}
-
-inline void print_summary(std::ostream& out, const Mesh_patch_input& input, const Mesh_patch_result& result)
-{
-  const auto& q = result.quality;
-  const auto& d = result.deviation;
-  const auto& s = result.report.seconds;
-  out.precision(4);
-  print_size(out, input, q);
-  out << "  angles: minimum " << q.min_angle << " degrees, mean of each triangle's minimum " << q.mean_min_angle
-      << "; mean 2r/R " << q.mean_radius_ratio << "\n"
-      << "  deviation ratio H/L: at most " << d.max_inner_deviation_ratio << " inside ("
-      << d.max_inner_normal_deviation_ratio << " along the normal), " << d.max_border_deviation_ratio
-      << " on the boundary; distance: at most " << d.max_distance_to_face << "\n";
-  if(const std::size_t n = d.number_of_inverted_faces + d.number_of_domain_violations)
-    out << "  INVERTED: " << plural(n, "triangle") << "\n";
-  if(result.second_order)
-    print_second_order(out, *result.second_order);
-  print_unmet(out, result.report);
-  out << "  " << s.meshing() << " s: division " << s.division << ", triangulation " << s.triangulation << ", refinement "
-      << s.refinement << ", improvement " << s.improvement << ", output " << s.output << "\n";
 }
 
 } // namespace mesh_patch

@@ -172,6 +172,8 @@ void mesh_with_metric(const Mesh_patch_input& input, const Mesh_patch_options& o
       result.report = CGAL::make_parametric_surface_mesh(std::get<Sample_surface_model>(input.source), result.criteria,
                                                          result.mesh, maps);
   }
+  Progress_line progress(options.is_quiet);
+  progress.on_phase("measuring");
   measure(input, uv, patch, result);
   if(!options.page.empty() || !options.picture.empty())
     result.page = make_page(input, parameters::metric_field(metric, places), result);

@@ -5,7 +5,9 @@
 #ifndef SECOND_ORDER_MEASURES_H
 #define SECOND_ORDER_MEASURES_H
 
-#include "Unmet_count.h"
+#include "Mesh_findings.h"
+#include "Usage_error.h"
+#include "text_of_numbers.h"
 
 #include <CGAL/make_second_order_mesh.h>
 
@@ -43,20 +45,28 @@ inline nlohmann::ordered_json json_of_second_order(const Second_order_measures& 
           {"distance", measures.distance}};
 }
 
-inline void print_second_order(std::ostream& out, const Second_order_measures& measures)
+// `is_measured`: whether the distance is known
+inline void print_second_order(std::ostream& out, const Second_order_measures& measures, bool is_measured, const Text_of_length& length)
+{
+  const int digits = 3;
+  out << "  curved triangles with six nodes: " << (is_measured ? "at most " + length(measures.distance) + " away; " : "")
+      << "smallest scaled Jacobian " << text_of(measures.report.smallest_scaled_jacobian, digits) << " (1 is straight, 0 is folded)\n";
+}
+
+inline void add_second_order(const Second_order_measures& measures, Mesh_findings& findings)
 {
   const auto& r = measures.report;
-  out << "  second order: smallest scaled Jacobian " << r.smallest_scaled_jacobian << ", distance of the curved triangles at most "
-      << measures.distance;
-  if(r.number_of_curved_less > 0)
-    out << "; " << plural(r.number_of_curved_less, "edge") << " curved less";
-  if(r.number_of_projected > 0)
-    out << "; " << plural(r.number_of_projected, "node") << " projected";
-  if(r.number_of_straight > 0)
-    out << "; " << plural(r.number_of_straight, "edge") << " left straight";
-  out << "\n";
   if(!r.uncertified.empty())
-    out << "  " << plural(r.uncertified.size(), "triangle") << " NOT CERTIFIED, the first one is number " << r.uncertified.front().face + 1 << "\n";
+    findings.faults.push_back(plural(r.uncertified.size(), "curved triangle has no area or is", "curved triangles have no area or are")
+                              + " folded, the first one is number " + std::to_string(r.uncertified.front().face + 1));
+  if(r.number_of_curved_less > 0)
+    findings.notes.push_back(plural(r.number_of_curved_less, "side of a curved triangle bends", "sides of curved triangles bend")
+                             + " less than the shape, so that no triangle is folded");
+  if(r.number_of_projected > 0)
+    findings.notes.push_back(plural(r.number_of_projected, "node lies", "nodes lie") + " on the shape only near the middle of the side");
+  if(r.number_of_straight > 0)
+    findings.notes.push_back(plural(r.number_of_straight, "side of a curved triangle stays", "sides of curved triangles stay")
+                             + " straight, since no place for the node was found");
 }
 
 } // namespace mesh_patch

@@ -3,16 +3,12 @@
 #ifndef UNMET_COUNT_H
 #define UNMET_COUNT_H
 
-#include "Usage_error.h"
-
 #include <CGAL/Parametric_surface_mesh_report.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <map>
-#include <ostream>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,20 +33,6 @@ inline std::vector<Unmet_count> unmet_counts(const CGAL::Parametric_surface_mesh
   for(const auto& count : counts)
     result.push_back({count.first.second, count.first.first, count.second});
   return result;
-}
-
-inline void print_unmet(std::ostream& out, const CGAL::Parametric_surface_mesh_report& report)
-{
-  if(report.unmet.empty() && report.number_of_unjudged_faces == 0)
-    out << "  all triangles meet the criteria\n";
-  for(const Unmet_count& count : unmet_counts(report))
-    out << "  not met: " << names(count.criteria) << " of " << plural(count.triangles, "triangle") << ", because of the "
-        << name(count.cause) << "\n";
-  if(report.number_of_unjudged_faces > 0)
-    out << "  not compared with the surface: " << plural(report.number_of_unjudged_faces, "triangle")
-        << ", because meshing was stopped\n";
-  if(report.number_of_work_limits > 0)
-    out << "  bounds on the work were reached " << plural(report.number_of_work_limits, "time") << "\n";
 }
 
 inline nlohmann::ordered_json json_of_unmet(const CGAL::Parametric_surface_mesh_report& report)

@@ -5,14 +5,11 @@
 #ifndef MEASURE_CAD_MESH_H
 #define MEASURE_CAD_MESH_H
 
-#include "Aabb_tree_types.h"
+#include "Cad_mesh.h"
+#include "Distance_from_shape.h"
 #include "sharp_corners.h"
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Parametric_surface_mesh_parameters.h>
-#include <CGAL/Parametric_surface_mesher/Model_places.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Bbox_3.h>
 
 #include <CGAL/Open_cascade_model_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/model/inner_elements.h>
@@ -21,41 +18,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
-// A mesh with the face of the model that each triangle lies on, its corners in the domain of that face, and the pieces of edges.
-struct Cad_mesh
-{
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-
-  Mesh mesh;
-  Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv
-    = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-  Mesh::Property_map<Mesh::Face_index, std::size_t> patch = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
-  Mesh::Property_map<Mesh::Vertex_index, CGAL::Parametric_surface_mesher::Vertex_place> vertex_place
-    = mesh.add_property_map<Mesh::Vertex_index, CGAL::Parametric_surface_mesher::Vertex_place>("v:place").first;
-  Mesh::Property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place> edge_place
-    = mesh.add_property_map<Mesh::Edge_index, CGAL::Parametric_surface_mesher::Edge_place>("e:place").first;
-  Mesh::Property_map<Mesh::Edge_index, Kernel::Point_3> mid_side_nodes; // there are some if the elements are of second order
-
-  // Where its elements lie in the model, as named parameters, with others.
-  template <class... NamedParameters>
-  auto places(const NamedParameters&... others) const
-  {
-    namespace parameters = CGAL::parameters;
-    return parameters::halfedge_uv_map(
-      uv, parameters::face_patch_id_map(patch, parameters::vertex_place_map(vertex_place, parameters::edge_place_map(edge_place, others...))));
-  }
-};
-
 struct Cad_mesh_measures
 {
-  double distance = 0; // the largest one from sampled points of surfaces and edges to the mesh
+  double distance = 0; // the largest one from sampled points of surfaces and edges to the mesh, if it was measured
+  CGAL::Bbox_3 box;    // of the mesh and of these points
   double min_angle_apart = 180; // the smallest angle, apart from those in sharp corners of faces
   std::size_t below_10 = 0, below_10_at_corners = 0; // triangles with an angle below 10 degrees
   std::size_t border_edges = 0;
@@ -64,27 +34,6 @@ struct Cad_mesh_measures
 };
 
 namespace mesh_cad {
-
-typedef Cad_mesh::Kernel Kernel;
-typedef Aabb_tree<Kernel, CGAL::AABB_face_graph_triangle_primitive<Cad_mesh::Mesh>> Tree;
-
-// The corners of a triangle: in space, and in the domain of its face.
-struct Triangle_corners
-{
-  std::array<Kernel::Point_3, 3> points;
-  std::array<Kernel::Point_2, 3> uv;
-};
-
-inline Triangle_corners corners(const Cad_mesh& mesh, Cad_mesh::Mesh::Face_index face)
-{
-  Triangle_corners result;
-  std::size_t i = 0;
-  for(const auto h : mesh.mesh.halfedges_around_face(mesh.mesh.halfedge(face))) {
-    result.points[i] = mesh.mesh.point(mesh.mesh.target(h));
-    result.uv[i++] = mesh.uv[h];
-  }
-  return result;
-}
 
 // The number and size of the smallest angle.
 inline std::pair<std::size_t, double> smallest_angle(const std::array<Kernel::Point_3, 3>& p)
@@ -95,50 +44,6 @@ inline std::pair<std::size_t, double> smallest_angle(const std::array<Kernel::Po
     if(a < result.second)
       result = {i, a};
   }
-  return result;
-}
-
-// The middles of the sides and the centroid of a triangle, in barycentric coordinates.
-inline std::array<std::array<double, 3>, 4> places_in_triangle()
-{
-  return {{{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1. / 3, 1. / 3, 1. / 3}}};
-}
-
-inline Kernel::Point_2 at(const Triangle_corners& c, const std::array<double, 3>& w)
-{
-  return Kernel::Point_2(w[0] * c.uv[0].x() + w[1] * c.uv[1].x() + w[2] * c.uv[2].x(), w[0] * c.uv[0].y() + w[1] * c.uv[1].y() + w[2] * c.uv[2].y());
-}
-
-// The largest squared distance, if it is above `known`, between the mesh and the surface points over the middles of the sides and the
-// centroid. The distance to the triangle itself is usually short enough; around poles another triangle may be closer.
-inline double squared_distance_to_surface(const Triangle_corners& c, const CGAL::Open_cascade_surface_3& surface,
-                                          const Tree& tree, double known)
-{
-  const Kernel::Triangle_3 triangle(c.points[0], c.points[1], c.points[2]);
-  double result = known;
-  for(const auto& w : places_in_triangle()) {
-    const Kernel::Point_2 uv = at(c, w);
-    const Kernel::Point_3 p = surface.point(uv.x(), uv.y());
-    if(CGAL::squared_distance(p, triangle) > result)
-      result = (std::max)(result, tree.squared_distance(p));
-  }
-  return result;
-}
-
-// The largest squared distance of points of the edges of meshed faces to the mesh.
-inline double squared_distance_to_edges(const Cad_mesh& mesh, const Model& model, const Tree& tree)
-{
-  const int number_of_samples = 64;
-  std::set<std::size_t> edges;
-  for(const std::size_t face : std::set<std::size_t>(mesh.patch.begin(), mesh.patch.end()))
-    for(const auto& loop : model.faces()[face].loops)
-      for(const auto& use : loop)
-        edges.insert(use.edge);
-  double result = 0;
-  for(const std::size_t e : edges)
-    if(model.edges()[e].curve)
-      for(int i = 1; i < number_of_samples; ++i)
-        result = (std::max)(result, tree.squared_distance(model.edges()[e].curve->point(double(i) / number_of_samples)));
   return result;
 }
 
@@ -181,19 +86,18 @@ inline void measure_shape(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3
   result.tiny_edges.assign(tiny.begin(), tiny.end());
 }
 
+// Angles, and what is small. The distance from the shape is measured apart from this.
 inline Cad_mesh_measures measure(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape, double min_edge)
 {
   const double small_angle = 10, sharp_angle = 30; // degrees
   Cad_mesh_measures result;
   const Sharp_corners sharp = sharp_corners(shape.model, sharp_angle, min_edge);
-  const Tree tree(faces(mesh.mesh).first, faces(mesh.mesh).second, mesh.mesh);
-  double squared_distance = squared_distance_to_edges(mesh, shape.model, tree);
+  for(const auto v : mesh.mesh.vertices())
+    result.box += mesh.mesh.point(v).bbox();
   for(const auto face : mesh.mesh.faces()) {
     const Triangle_corners c = corners(mesh, face);
-    const std::size_t patch = mesh.patch[face];
-    squared_distance = squared_distance_to_surface(c, shape.model.faces()[patch].surface, tree, squared_distance);
     const auto smallest = smallest_angle(c.points);
-    const auto corner = sharp.find({patch, c.points[smallest.first]});
+    const auto corner = sharp.find({mesh.patch[face], c.points[smallest.first]});
     if(smallest.second < small_angle) {
       ++result.below_10;
       result.below_10_at_corners += corner != sharp.end() && corner->second <= small_angle;
@@ -201,11 +105,19 @@ inline Cad_mesh_measures measure(const Cad_mesh& mesh, const CGAL::Open_cascade_
     if(corner == sharp.end() || smallest.second < 0.8 * corner->second) // a corner that is divided has more than one triangle
       result.min_angle_apart = (std::min)(result.min_angle_apart, smallest.second);
   }
-  result.distance = std::sqrt(squared_distance);
   measure_shape(mesh, shape, result);
   for(const auto h : mesh.mesh.halfedges())
     result.border_edges += mesh.mesh.is_border(h);
   return result;
+}
+
+// The largest distance of surfaces and edges from the mesh. Their points count for the box, too, which the vertices do not fill.
+template <class ConcurrencyTag>
+void measure_distance(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape, Cad_mesh_measures& result)
+{
+  const Distance_from_shape distance = distance_from_shape<ConcurrencyTag>(mesh, shape);
+  result.distance = std::sqrt(distance.squared);
+  result.box += distance.box;
 }
 
 } // namespace mesh_cad

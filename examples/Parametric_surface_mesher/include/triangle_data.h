@@ -9,11 +9,13 @@
 
 #include <CGAL/Element_mesh_3.h>
 #include <CGAL/Open_cascade_model_3.h>
+#include <CGAL/Parametric_surface_mesher/internal/measures/pieces_of_patches.h>
 #include <CGAL/Surface_curvature_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace mesh_cad {
@@ -38,18 +40,28 @@ inline double curvature(const Triangle_corners& c, const CGAL::Open_cascade_surf
 }
 
 // For the triangles of an element mesh: those on the other side of a face between two parts are left out.
-inline std::vector<CGAL::Element_mesh_3::Data> triangle_data(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape)
+template <class ConcurrencyTag>
+std::vector<CGAL::Element_mesh_3::Data> triangle_data(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape)
 {
-  std::vector<CGAL::Element_mesh_3::Data> result{{"smallest_angle", 1, {}}, {"deviation", 1, {}}, {"curvature", 1, {}}};
-  for(const auto f : mesh.mesh.faces()) {
-    const auto& face = shape.model.faces()[mesh.patch[f]];
-    if(face.other_side_of != Model::no_face)
-      continue;
-    const Triangle_corners c = corners(mesh, f);
-    result[0].values.push_back(smallest_angle(c.points).second);
-    result[1].values.push_back(deviation(c, face.surface));
-    result[2].values.push_back(curvature(c, face.surface));
-  }
+  using namespace CGAL::Parametric_surface_mesher::internal;
+  const auto is_other_side = [&](std::size_t patch) { return shape.model.faces()[patch].other_side_of != Model::no_face; };
+  std::vector<std::size_t> places(mesh.mesh.number_of_faces()); // of the faces in the result
+  std::size_t number = 0;
+  for(const auto f : mesh.mesh.faces())
+    places[f] = is_other_side(mesh.patch[f]) ? number : number++;
+  const std::vector<double> zeros(number);
+  std::vector<CGAL::Element_mesh_3::Data> result{{"smallest_angle", 1, zeros}, {"deviation", 1, zeros}, {"curvature", 1, zeros}};
+  const auto pieces = pieces_of_patches(mesh.mesh.faces(), [&](auto f) { return mesh.patch[f]; });
+  for_each_piece<ConcurrencyTag>(shape.model, pieces, [&](const auto& piece, std::size_t, const CGAL::Open_cascade_surface_3& surface) {
+    if(is_other_side(piece.patch))
+      return;
+    for(const auto f : piece.faces) {
+      const Triangle_corners c = corners(mesh, f);
+      result[0].values[places[f]] = smallest_angle(c.points).second;
+      result[1].values[places[f]] = deviation(c, surface);
+      result[2].values[places[f]] = curvature(c, surface);
+    }
+  });
   return result;
 }
 

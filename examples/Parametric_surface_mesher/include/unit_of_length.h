@@ -9,6 +9,7 @@
 #include "Mesh_cad_options.h"
 #include "Usage_error.h"
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Open_cascade_names_3.h>
 
 #include <algorithm>
@@ -84,6 +85,9 @@ void scale_lengths(double factor, Result& result)
     for(double& value : data.values)
       value *= data.name == "deviation" ? factor : data.name == "curvature" ? 1 / factor : 1;
   scale_lengths(factor, result.names);
+  const CGAL::Bbox_3 box = result.measures.box;
+  result.measures.box = CGAL::Bbox_3(factor * box.xmin(), factor * box.ymin(), factor * box.zmin(),
+                                     factor * box.xmax(), factor * box.ymax(), factor * box.zmax());
   for(double* length : {&result.measures.distance, &result.shape.diagonal, &result.shape.largest_gap, &result.report.max_edge,
                         &result.report.min_edge, &result.layers.smallest_length})
     *length *= factor;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Meshed_cad_file.h"
 
-#include "Mesh_cad_intersections.h"
+#include "Mesh_cad_findings.h"
+#include "Mesh_cad_json.h"
 #include "Mesh_cad_options.h"
 #include "Mesh_cad_output.h"
 #include "Mesh_cad_result.h"
+#include "Mesh_cad_summary.h"
 #include "print_version.h"
 
 #include <Standard_Version.hxx>
@@ -22,19 +24,6 @@
 
 namespace {
 
-// A single edge at the minimum length may be a little farther off than the distance allows, and the summary says so.
-// What is farther off than this share is an error.
-const double largest_share_of_distance = 1.5;
-
-// Whether the mesh is one of all that the file has, and of what was asked for.
-bool is_whole(const Mesh_cad_options& options, const Mesh_cad_result& result)
-{
-  const bool is_part_wanted = !options.face_list.empty() || !options.part_lists.empty();
-  return result.left_out.empty() && result.file_faults.empty() && result.number_of_lost_faces == 0
-         && (is_part_wanted || result.quality.is_closed || !result.shape.is_shape_closed) && !mesh_cad::intersects_itself(result)
-         && !(mesh_cad::share_of_allowed_distance(result) > largest_share_of_distance);
-}
-
 // returns the exit status
 int run(const Mesh_cad_options& options)
 {
@@ -48,7 +37,7 @@ int run(const Mesh_cad_options& options)
   files.write();
   if(!options.is_quiet)
     mesh_cad::print_summary(std::cout, options, result);
-  return is_whole(options, result) ? 0 : 1;
+  return mesh_cad::findings(options, result).faults.empty() ? 0 : 1;
 }
 
 int fail(std::string message)
@@ -183,7 +172,7 @@ std::string Meshed_cad_file::page() const
   return out.str();
 }
 
-bool Meshed_cad_file::is_whole() const { return ::is_whole(m_data->options, m_data->result); }
+bool Meshed_cad_file::is_whole() const { return mesh_cad::findings(m_data->options, m_data->result).faults.empty(); }
 
 void Meshed_cad_file::save(const std::string& file_name, bool is_binary, bool are_node_parameters_wanted) const
 {
