@@ -23,6 +23,9 @@
 #include <utility>
 #include <vector>
 
+using CGAL::Parametric_surface_mesher::Mesh_criterion;
+using CGAL::Parametric_surface_mesher::Unmet_cause;
+
 namespace {
 
 typedef CGAL::Surface_jet_3<Test_kernel> Jet;
@@ -129,6 +132,23 @@ TEST(Distance, narrow_peaks_at_random_places)
     if(i % 2 == 0) {
       EXPECT_LE(largest_distance(mesh, surface, report, 30), 0.005) << i;
     }
+  }
+}
+
+// What is found and cannot be followed is told.
+TEST(Distance, peak_that_the_minimum_edge_forbids)
+{
+  const Any_surface peak = any_surface(Peaks{{Point_2(0.41, 0.62)}, 1. / 60, 0.1});
+  for(const bool has_distance : {true, false}) {
+    Mesh mesh;
+    Criteria criteria = coarse_criteria(0.005).set_min_edge(2);
+    if(!has_distance)
+      criteria = Criteria().set_max_edge(10).set_min_edge(2).set_angle(0).set_gamma(0.05);
+    const Report report = add_patch(peak, unit_square, criteria, mesh);
+    EXPECT_LE(mesh.number_of_faces(), 4u);
+    ASSERT_EQ(report.unmet.size(), 1u);
+    EXPECT_TRUE(report.unmet[0].criteria.contains(has_distance ? Mesh_criterion::DISTANCE : Mesh_criterion::DEVIATION));
+    EXPECT_EQ(report.unmet[0].cause, Unmet_cause::MINIMUM_EDGE);
   }
 }
 

@@ -120,6 +120,23 @@ TEST(Found_by_fuzzing, torus_with_hardly_a_point_inside)
 // A torus in parts, with hardly a point inside: a chord of one part joins the same vertices as a side that two other parts share.
 TEST(Found_by_fuzzing, chord_beside_a_side_of_other_parts) { expect_nothing_found(make_fuzz_case(411639)); }
 
+// The same, where the chord is a side that two strips, or a strip and a part, have in common.
+TEST(Found_by_fuzzing, chord_between_strips)
+{
+  for(const std::uint64_t seed : {1041085, 1050526})
+    expect_nothing_found(make_fuzz_case(seed));
+}
+
+// Hills between the places that every triangle has, where the minimum edge or the boundary leaves no room for a vertex.
+TEST(Found_by_fuzzing, missed_hills_are_reported)
+{
+  for(const std::uint64_t seed : {1053349, 1055572, 1056241, 1071637})
+    expect_nothing_found(make_fuzz_case(seed));
+}
+
+// A hole that is the outline, meshed since the minimum edge is longer than both: triangles without area have no angle that will do.
+TEST(Found_by_fuzzing, triangles_without_area) { expect_nothing_found(make_fuzz_case(1094523)); }
+
 // The same with parts of other sizes.
 TEST(Found_by_fuzzing, torus_in_parts_with_hardly_a_point_inside)
 {

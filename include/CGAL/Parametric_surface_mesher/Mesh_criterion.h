@@ -23,7 +23,7 @@ enum class Mesh_criterion : std::uint8_t
 {
   SIZE,      ///< circumradius above `C (S_1 + S_2 + S_3)` (paper, eq. 3)
   ANGLE,     ///< smallest angle below the bound
-  DEVIATION, ///< deviation ratio `H/L` of an edge above `gamma`
+  DEVIATION, ///< deviation ratio `H/L` of an edge above `gamma`; without a bound of the distance also that of a feature inside
   DISTANCE,  ///< distance from the surface above the absolute bound
   USER,      ///< the criterion of the user, see `CGAL::parameters::triangle_criterion()`
   INVERTED   ///< it faces away from the surface

@@ -215,7 +215,11 @@ private:
   }
 
   static bool has_good_size(const Shape& shape) { return shape.product < shape.largest_product; }
-  bool has_good_angle(const Shape& shape) const { return 4 * m_squared_sine * shape.product <= shape.sine; }
+  bool has_good_angle(const Shape& shape) const
+  {
+    // (A triangle with an edge of length 0 has a product of 0.)
+    return 4 * m_squared_sine * shape.product <= shape.sine && (shape.sine > 0 || m_squared_sine == 0);
+  }
 };
 
 } // namespace internal

@@ -107,15 +107,14 @@ public:
         const auto first = face;
         do
           if(face->is_in_domain()) {
-            face->set_in_domain(false);
-            face->set_number(m_taken[part].size());
-            m_taken[part].push_back({face, from.second, 0});
+            take(part, face, from.second);
             for(int i = 0; i < 3; ++i)
               if(is_reached.insert(face->vertex(i)).second)
                 next.emplace_back(face->vertex(i), from.second);
           }
         while(++face != first);
       }
+    keep_chords_inside(part);
   }
 
   void connect()
@@ -178,6 +177,51 @@ public:
   bool is_on_border(std::size_t i) const { return i >= m_is_on_border.size() || m_is_on_border[i]; }
 
 private:
+  void take(std::size_t part, Face_handle face, std::size_t strip)
+  {
+    face->set_in_domain(false);
+    face->set_number(m_taken[part].size());
+    m_taken[part].push_back({face, strip, 0});
+  }
+
+  // No chord becomes a side of the border, where it could not be split if it repeats another one: triangles that are joined by
+  // chords are in one strip, that of the first of them.
+  void keep_chords_inside(std::size_t part)
+  {
+    std::vector<bool> is_done;
+    std::vector<std::size_t> joined;
+    for(std::size_t first = 0; first < m_taken[part].size(); ++first) {
+      is_done.resize(m_taken[part].size(), false);
+      if(is_done[first])
+        continue;
+      is_done[first] = true;
+      joined.assign(1, first);
+      while(!joined.empty()) {
+        const Face_handle face = m_taken[part][joined.back()].face;
+        joined.pop_back();
+        for(int i = 0; i < 3; ++i) {
+          const Face_handle beyond = face->neighbor(i);
+          if(!is_chord(face, i))
+            continue;
+          if(beyond->is_in_domain())
+            take(part, beyond, m_taken[part][first].strip);
+          is_done.resize(m_taken[part].size(), false);
+          if(is_done[beyond->number()])
+            continue;
+          is_done[beyond->number()] = true;
+          m_taken[part][beyond->number()].strip = m_taken[part][first].strip;
+          joined.push_back(beyond->number());
+        }
+      }
+    }
+  }
+
+  // Whether side `i` is inside the part, between two vertices of its boundary.
+  static bool is_chord(Face_handle face, int i)
+  {
+    return !face->is_constrained(i) && face->vertex((i + 1) % 3)->is_on_boundary() && face->vertex((i + 2) % 3)->is_on_boundary();
+  }
+
   bool is_of_cut(Vertex_handle vertex) const
   {
     return vertex->is_on_boundary() && vertex->index() >= m_parts.first_index();

@@ -171,8 +171,13 @@ public:
     Patch_collector<Kernel> collect(m_triangulation, m_boundary, part, report);
     if(is_stopped())
       collect(keeps_domain_points, keeps_corner_points, [&](auto face) { judge.judge_after_stop(face); });
-    else
-      collect(keeps_domain_points, keeps_corner_points, judge);
+    else {
+      Feature_search<Evaluator> features = feature_search();
+      collect(keeps_domain_points, keeps_corner_points, [&](auto face) {
+        judge(face);
+        features.judge(face);
+      });
+    }
     return part;
   }
 
@@ -214,11 +219,15 @@ private:
       m_refine.advance_front(m_triangulation.finite_face_handles());
   }
 
+  Feature_search<Evaluator> feature_search()
+  {
+    return {m_triangulation, m_evaluator, m_criteria, m_surface.surface_in_domain(), m_boundary.box()};
+  }
+
   // Features that the triangles miss are looked for until there is none.
   void refine_at_features()
   {
-    Feature_search<Evaluator> insert_at_features(m_triangulation, m_evaluator, m_criteria, m_surface.surface_in_domain(),
-                                                 m_boundary.box());
+    Feature_search<Evaluator> insert_at_features = feature_search();
     while(!m_progress.is_stopped() && insert_at_features()) {
       m_refine(Scope::SHAPE);
       m_refine(Scope::WHOLE);

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -129,6 +130,24 @@ public:
     return result;
   }
 
+  // Adds to the verdict on a face what it fails at a feature that it misses, because no vertex could be inserted there: the distance,
+  // or the deviation if there is no bound of the distance.
+  void judge(Face_handle face)
+  {
+    if(m_lines[0].is_empty() || m_lines[1].is_empty() || is_collapsed(face))
+      return;
+    const Place place = missed_place(face);
+    if(!(place.squared_height > 0))
+      return;
+    const auto& distance = m_criteria.distance();
+    if(distance && place.squared_height <= square(*distance))
+      return;
+    const Verdict before = face->verdict();
+    Verdict verdict(before.failed() | (distance ? Mesh_criterion::DISTANCE : Mesh_criterion::DEVIATION), before.scope());
+    verdict.refuse(before.is_refused() ? before.refusal() : why_missed(place));
+    face->set_verdict(verdict);
+  }
+
 private:
   // In a chart the lines are even, and as many.
   template <class Surface>
@@ -148,7 +167,7 @@ private:
   {
     std::vector<Place> result;
     for_each_face_with_lookahead(m_triangulation, [&](Face_handle face) {
-      if(!face->is_in_domain() || is_collapsed(face))
+      if(!face->is_in_domain() || is_collapsed(face) || !is_divisible(face))
         return;
       const Place place = missed_place(face);
       if(place.squared_height > 0)
@@ -158,18 +177,37 @@ private:
     return result;
   }
 
-  // The face may have changed since, but it is near. What a triangle's own samples tell, and the refinement could not mend, is no
-  // reason for small angles at the boundary.
+  // The face may have changed since, but it is near.
   bool insert(const Place& place)
   {
     Candidate candidate;
-    if(m_triangulation.number_of_vertices() >= m_criteria.max_number_of_vertices()
-       || !m_points.locate(place.face, place.point, candidate)
-       || !m_points.is_far_enough(candidate, square(m_criteria.min_edge()))
-       || (!place.is_hidden && Inner_points::is_near_boundary(candidate) && encroaches(candidate)))
+    if(m_triangulation.number_of_vertices() >= m_criteria.max_number_of_vertices() || why_refused(place, candidate))
       return false;
     m_points.insert(candidate);
     return true;
+  }
+
+  // The cause why a vertex cannot be inserted at a place, if there is one. What a triangle's own samples tell, and the refinement
+  // could not mend, is no reason for small angles at the boundary.
+  std::optional<Unmet_cause> why_refused(const Place& place, Candidate& candidate)
+  {
+    if(!m_points.locate(place.face, place.point, candidate))
+      return Unmet_cause::BOUNDARY;
+    if(!m_points.is_far_enough(candidate, square(m_criteria.min_edge())))
+      return Unmet_cause::MINIMUM_EDGE;
+    if(!place.is_hidden && Inner_points::is_near_boundary(candidate) && encroaches(candidate))
+      return Unmet_cause::BOUNDARY;
+    return {};
+  }
+
+  Unmet_cause why_missed(const Place& place)
+  {
+    if(m_triangulation.number_of_vertices() >= m_criteria.max_number_of_vertices())
+      return Unmet_cause::VERTEX_LIMIT;
+    if(!is_divisible(place.face))
+      return Unmet_cause::MINIMUM_EDGE;
+    Candidate candidate;
+    return why_refused(place, candidate).value_or(Unmet_cause::NO_BETTER_POINT); // improvement has moved vertices away from it
   }
 
   bool encroaches(const Candidate& candidate)
@@ -182,15 +220,17 @@ private:
     });
   }
 
+  static double squared_longest_edge(Face_handle face)
+  {
+    return (std::max)({squared_length_in_space(face, 0), squared_length_in_space(face, 1), squared_length_in_space(face, 2)});
+  }
+
+  bool is_divisible(Face_handle face) const { return squared_longest_edge(face) >= 4 * square(m_criteria.min_edge()); }
+
   // by the distance, and by the deviation ratio for the longest edge
   double squared_limit(Face_handle face) const
   {
-    double longest = 0;
-    for(int i = 0; i < 3; ++i)
-      longest = (std::max)(longest, squared_length_in_space(face, i));
-    if(longest < 4 * square(m_criteria.min_edge())) // no edge is divided then
-      return std::numeric_limits<double>::infinity();
-    const double by_ratio = square(m_criteria.gamma()) * longest;
+    const double by_ratio = square(m_criteria.gamma()) * squared_longest_edge(face);
     return m_criteria.distance() ? (std::min)(by_ratio, square(*m_criteria.distance())) : by_ratio;
   }
 
