@@ -2,9 +2,8 @@
 # This file is part of Parametric_surface_mesher, an extension package of CGAL.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds everything in build/tests/ and runs all tests; then those of
-# test/Parametric_surface_mesher/CMakeLists.txt's list, and the examples, under the address and undefined-behaviour
-# sanitizers in build/sanitize/.
+# Installs what is missing, builds everything in build/tests/ and runs all tests; then those of the list in
+# test/Parametric_surface_mesher/CMakeLists.txt, and mesh_patch, under the address and undefined-behaviour sanitizers in build/sanitize/.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
