@@ -6,6 +6,7 @@
 #include "Progress_line.h"
 #include "Unmet_count.h"
 #include "distance_findings.h"
+#include "distance_over_triangle.h"
 #include "findings_of_report.h"
 #include "summary_lines.h"
 #include "text_of_numbers.h"
@@ -222,40 +223,24 @@ CGAL::Parametric_surface_mesh_criteria to_criteria(const Criteria& c)
   return result;
 }
 
-// The largest squared distance between a triangle and the points of the surface over the middles of its sides and its centroid.
-template <class Data, class Face>
-double largest_squared_distance(const Data& data, Face f, const Model::Surface_3& surface)
-{
-  const std::array<std::array<double, 3>, 4> places = {{{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1. / 3, 1. / 3, 1. / 3}}};
-  std::array<Point_3, 3> points;
-  std::array<Point_2, 3> uv;
-  std::size_t i = 0;
-  for(const auto h : data.mesh.halfedges_around_face(data.mesh.halfedge(f))) {
-    points[i] = data.mesh.point(data.mesh.target(h));
-    uv[i++] = data.uv[h];
-  }
-  const Kernel::Triangle_3 triangle(points[0], points[1], points[2]);
-  double squared = 0;
-  for(const auto& w : places) {
-    const double u = w[0] * uv[0].x() + w[1] * uv[1].x() + w[2] * uv[2].x(), v = w[0] * uv[0].y() + w[1] * uv[1].y() + w[2] * uv[2].y();
-    squared = (std::max)(squared, CGAL::squared_distance(surface.point(u, v), triangle));
-  }
-  return squared;
-}
-
-// Of all triangles, on the threads that meshing has.
+// The largest distance of the mesh from its surfaces, measured on the threads that meshing has.
 template <class Data>
 double largest_distance(const Data& data)
 {
   using namespace CGAL::Parametric_surface_mesher::internal;
+  if(data.mesh.number_of_faces() == 0)
+    return 0;
+  mesh_patch::Triangle_tree tree(data.mesh.faces().begin(), data.mesh.faces().end(), data.mesh);
+  tree.build();
+  tree.accelerate_distance_queries(); // else the first of the threads would do it, and the others wait
   const auto pieces = pieces_of_patches(data.mesh.faces(), [&](auto f) { return data.patch[f]; });
   std::vector<double> squared(pieces.size());
   for_each_piece<CGAL::Parallel_if_available_tag>(
     data.model, pieces, [&](const auto& piece, std::size_t i, const Model::Surface_3& surface) {
       for(const auto f : piece.faces)
-        squared[i] = (std::max)(squared[i], largest_squared_distance(data, f, surface));
+        squared[i] = mesh_patch::largest_squared_distance(squared[i], mesh_patch::corners_of_triangle(data.mesh, data.uv, f), surface, tree);
     });
-  return squared.empty() ? 0 : std::sqrt(*std::max_element(squared.begin(), squared.end()));
+  return std::sqrt(*std::max_element(squared.begin(), squared.end()));
 }
 
 // Meshes and measures, on as many threads as are wanted.

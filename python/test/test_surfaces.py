@@ -134,6 +134,9 @@ class Formulas(unittest.TestCase):
         self.assertAlmostEqual(triangle.report["area"], 2 - 0.045)
         sphere = psm.mesh_surface("cos(v)*cos(u), cos(v)*sin(u), sin(v)", ((0, TURN), (-math.pi / 2, math.pi / 2)))
         self.assertTrue(is_closed(sphere))
+        # Around a pole, points of the surface are close to other triangles than those over which they are in the domain.
+        near = psm.mesh_surface("cos(v)*cos(u), cos(v)*sin(u), sin(v)", ((0, TURN), (-math.pi / 2, math.pi / 2)), distance=0.001)
+        self.assertTrue(near.is_whole, near.summary())
         with_hole = psm.mesh_surface("cos(v)*cos(u), cos(v)*sin(u), sin(v)", ((0, TURN), (-math.pi / 2, math.pi / 2)),
                                      holes=[psm.Curve.circle((2, 0), 0.5)])
         self.assertFalse(with_hole.report["closed"])

@@ -176,6 +176,14 @@ TEST_F(Mesh_patch_program, tells_people_what_the_mesh_is_like)
     << coarse.out;
 }
 
+// Around a pole, points of the surface are close to other triangles than those over which they are in the domain.
+TEST_F(Mesh_patch_program, measures_the_distance_from_the_whole_mesh)
+{
+  const Result sphere = run("sphere --distance 0.001");
+  EXPECT_EQ(sphere.status, 0) << sphere.out;
+  EXPECT_EQ(sphere.out.find("WRONG"), std::string::npos) << sphere.out;
+}
+
 TEST_F(Mesh_patch_program, gives_samples_their_area)
 {
   for(const std::string& name : sample_patch_names())

@@ -5,13 +5,13 @@
 #ifndef CAD_MESH_H
 #define CAD_MESH_H
 
+#include "distance_over_triangle.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Parametric_surface_mesh_parameters.h>
 #include <CGAL/Parametric_surface_mesher/Model_places.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 
 // A mesh with the face of the model that each triangle lies on, its corners in the domain of that face, and the pieces of edges.
@@ -44,33 +44,13 @@ namespace mesh_cad {
 
 typedef Cad_mesh::Kernel Kernel;
 
-// The corners of a triangle: in space, and in the domain of its face.
-struct Triangle_corners
-{
-  std::array<Kernel::Point_3, 3> points;
-  std::array<Kernel::Point_2, 3> uv;
-};
+using mesh_patch::Triangle_corners;
+using mesh_patch::at;
+using mesh_patch::places_in_triangle;
 
 inline Triangle_corners corners(const Cad_mesh& mesh, Cad_mesh::Mesh::Face_index face)
 {
-  Triangle_corners result;
-  std::size_t i = 0;
-  for(const auto h : mesh.mesh.halfedges_around_face(mesh.mesh.halfedge(face))) {
-    result.points[i] = mesh.mesh.point(mesh.mesh.target(h));
-    result.uv[i++] = mesh.uv[h];
-  }
-  return result;
-}
-
-// The middles of the sides and the centroid of a triangle, in barycentric coordinates.
-inline std::array<std::array<double, 3>, 4> places_in_triangle()
-{
-  return {{{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1. / 3, 1. / 3, 1. / 3}}};
-}
-
-inline Kernel::Point_2 at(const Triangle_corners& c, const std::array<double, 3>& w)
-{
-  return Kernel::Point_2(w[0] * c.uv[0].x() + w[1] * c.uv[1].x() + w[2] * c.uv[2].x(), w[0] * c.uv[0].y() + w[1] * c.uv[1].y() + w[2] * c.uv[2].y());
+  return mesh_patch::corners_of_triangle(mesh.mesh, mesh.uv, face);
 }
 
 } // namespace mesh_cad

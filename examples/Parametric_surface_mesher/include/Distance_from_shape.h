@@ -5,10 +5,9 @@
 #ifndef DISTANCE_FROM_SHAPE_H
 #define DISTANCE_FROM_SHAPE_H
 
-#include "Aabb_tree_types.h"
 #include "Cad_mesh.h"
+#include "distance_over_triangle.h"
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Parametric_surface_mesher/internal/measures/pieces_of_patches.h>
 #include <CGAL/Parametric_surface_mesher/internal/support/for_each_index.h>
@@ -23,7 +22,7 @@
 
 namespace mesh_cad {
 
-typedef Aabb_tree<Kernel, CGAL::AABB_face_graph_triangle_primitive<Cad_mesh::Mesh>> Tree;
+using mesh_patch::Triangle_tree;
 
 // The largest distance from points of surfaces and edges to the mesh, and the box of these points.
 struct Distance_from_shape
@@ -39,10 +38,9 @@ struct Distance_from_shape
   }
 };
 
-// Takes the surface points over the middles of the sides and the centroid of a triangle. The distance to the triangle itself is usually
-// short enough; around poles another triangle may be closer. What is no more than `negligible`, as the rounding of planes, counts as no
-// distance: else all points of planes were searched for.
-inline void add_surface_over(const Triangle_corners& c, const CGAL::Open_cascade_surface_3& surface, const Tree& tree, double negligible,
+// Takes the surface points over the middles of the sides and the centroid of a triangle. What is no more than `negligible`, as the
+// rounding of planes, counts as no distance: else all points of planes were searched for.
+inline void add_surface_over(const Triangle_corners& c, const CGAL::Open_cascade_surface_3& surface, const Triangle_tree& tree, double negligible,
                              Distance_from_shape& result)
 {
   const Kernel::Triangle_3 triangle(c.points[0], c.points[1], c.points[2]);
@@ -50,8 +48,8 @@ inline void add_surface_over(const Triangle_corners& c, const CGAL::Open_cascade
     const Kernel::Point_2 uv = at(c, w);
     const Kernel::Point_3 p = surface.point(uv.x(), uv.y());
     result.box += p.bbox();
-    if(CGAL::squared_distance(p, triangle) > (std::max)(result.squared, negligible * negligible))
-      result.squared = (std::max)(result.squared, tree.squared_distance(p));
+    const double found = (std::max)(result.squared, negligible * negligible);
+    result.squared = (std::max)(result.squared, mesh_patch::squared_distance_above(found, p, triangle, tree));
   }
 }
 
@@ -73,7 +71,7 @@ inline std::vector<Kernel::Point_3> points_of_edges(const Cad_mesh& mesh, const 
 }
 
 template <class ConcurrencyTag>
-Distance_from_shape distance_of_points(const std::vector<Kernel::Point_3>& points, const Tree& tree)
+Distance_from_shape distance_of_points(const std::vector<Kernel::Point_3>& points, const Triangle_tree& tree)
 {
   const std::size_t size_of_job = 512;
   std::vector<Distance_from_shape> results((points.size() + size_of_job - 1) / size_of_job);
@@ -95,7 +93,7 @@ Distance_from_shape distance_from_shape(const Cad_mesh& mesh, const CGAL::Open_c
   const double negligible = 1e-12 * shape.diagonal;
   if(mesh.mesh.number_of_faces() == 0)
     return {};
-  Tree tree(faces(mesh.mesh).first, faces(mesh.mesh).second, mesh.mesh);
+  Triangle_tree tree(faces(mesh.mesh).first, faces(mesh.mesh).second, mesh.mesh);
   tree.build();
   tree.accelerate_distance_queries(); // else the first of the threads would do it, and the others wait
   // Curves may not be asked by several threads at the same time.

@@ -87,7 +87,7 @@ inline nlohmann::ordered_json json_of_model(const Model_counts& counts)
           {"model_nonmanifold_edges", counts.nonmanifold_edges}};
 }
 
-inline nlohmann::ordered_json json_of_shape(const CGAL::Triangle_mesh_quality& q, const CGAL::Triangle_mesh_deviation& d)
+inline nlohmann::ordered_json json_of_shape(const CGAL::Triangle_mesh_quality& q, const CGAL::Triangle_mesh_deviation& d, double distance)
 {
   return {{"vertices", q.number_of_vertices},
           {"triangles", q.number_of_faces},
@@ -104,7 +104,7 @@ inline nlohmann::ordered_json json_of_shape(const CGAL::Triangle_mesh_quality& q
           {"max_deviation", d.max_inner_deviation_ratio},
           {"max_normal_deviation", d.max_inner_normal_deviation_ratio},
           {"max_boundary_deviation", d.max_border_deviation_ratio},
-          {"max_distance", d.max_distance_to_face},
+          {"max_distance", distance},
           {"inverted_triangles", d.number_of_inverted_faces + d.number_of_domain_violations},
           {"connected_components", q.number_of_connected_components},
           {"boundary_cycles", q.number_of_boundary_cycles},
@@ -142,7 +142,7 @@ inline void write_json(std::ostream& out, const Mesh_patch_input& input, const M
   if(criteria.distance())
     json["distance"] = *criteria.distance();
   json.update(json_of_model(counts(input)));
-  json.update(json_of_shape(result.quality, result.deviation));
+  json.update(json_of_shape(result.quality, result.deviation, result.distance));
   json.update(json_of_report(result.report));
   json["order"] = result.second_order ? 2 : 1;
   if(result.second_order)

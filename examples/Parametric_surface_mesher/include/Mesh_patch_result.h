@@ -10,6 +10,7 @@
 #include "Patch_triangles.h"
 #include "Progress_line.h"
 #include "Second_order_measures.h"
+#include "distance_over_triangle.h"
 
 #include <CGAL/Circumellipse_2.h>
 #include <CGAL/First_fundamental_form_metric_2.h>
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -39,6 +41,7 @@ struct Mesh_patch_result
   CGAL::Parametric_surface_mesh_report report;
   CGAL::Triangle_mesh_quality quality;
   CGAL::Triangle_mesh_deviation deviation; // over all patches
+  double distance = 0;                     // the largest one of the mesh from the surfaces
   Face_patch_map patch_of_face;
   boost::optional<Second_order_measures> second_order;
   Mesh::Property_map<Mesh::Edge_index, Sample_kernel::Point_3> mid_side_nodes; // there are some if the elements are of second order
@@ -118,6 +121,12 @@ inline void measure(const Mesh_patch_input& input, const Halfedge_uv_map& uv, co
 {
   const unsigned int subdivisions = 3; // edges at their thirds, and the centroid
   result.quality = CGAL::triangle_mesh_quality(result.mesh);
+  const Triangle_tree tree(result.mesh.faces().begin(), result.mesh.faces().end(), result.mesh);
+  double squared_distance = 0;
+  for(const auto face : result.mesh.faces())
+    squared_distance = largest_squared_distance(squared_distance, corners_of_triangle(result.mesh, uv, face),
+                                                input.patches[patch[face]].surface, tree);
+  result.distance = std::sqrt(squared_distance);
   const auto faces = faces_of_patches(result.mesh, patch, input.patches.size());
   for(std::size_t i = 0; i < input.patches.size(); ++i) {
     result.patches.emplace_back();

@@ -36,7 +36,7 @@ inline Mesh_findings findings(const Mesh_patch_input& input, const Mesh_patch_re
   add_stop(result.report, found);
   add_unmet(result.report, result.criteria, length, found);
   if(result.criteria.distance())
-    add_distance("surface", d.max_distance_to_face, *result.criteria.distance(), found);
+    add_distance("surface", result.distance, *result.criteria.distance(), found);
   if(result.second_order)
     add_second_order(*result.second_order, found);
   add_intersections(result.report, [](std::size_t face) { return face + 1; }, found);
@@ -55,7 +55,7 @@ inline void print_summary(std::ostream& out, const Mesh_patch_input& input, cons
   out << text_of_size(sides(box)) << "\n";
   print_triangles(out, q, q.number_of_connected_components > 1 ? ", " + plural(q.number_of_connected_components, "separate piece") : "");
   print_angles(out, q, number_below_10_degrees(q));
-  print_distance(out, "surface", &result.deviation.max_distance_to_face, allowed ? &*allowed : nullptr, length);
+  print_distance(out, "surface", &result.distance, allowed ? &*allowed : nullptr, length);
   if(result.second_order)
     print_second_order(out, *result.second_order, true, length);
   out << "  time: " << text_of(result.report.seconds.meshing(), 2) << " s for meshing\n";
