@@ -110,7 +110,7 @@ class Distance_measure
 {
   const Mesh_cad_result& m_result;
   const double m_bound;
-  mesh_cad::Tree m_tree;
+  mesh_cad::Triangle_tree m_tree;
   const Domain_polygons m_is_inside;
   Distances m_distances;
 
