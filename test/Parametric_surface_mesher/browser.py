@@ -8,8 +8,10 @@ import os
 import shutil
 import struct
 import subprocess
+import sys
 import tempfile
 import time
+import unittest
 import zlib
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
@@ -174,3 +176,25 @@ class Picture:
         """The share of pixels that are not the same."""
         pixels = [(x, y) for y in range(self.height) for x in range(self.width)]
         return sum(self.pixel(x, y) != other.pixel(x, y) for x, y in pixels) / len(pixels)
+
+
+class Browser_test(unittest.TestCase):
+    """Tests that look at pages in one browser, `self.browser`, the size of whose window is that of the class."""
+
+    WINDOW = (1100, 700)
+
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser(*cls.WINDOW)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+
+
+def run_tests():
+    """Runs the tests of the main program, or says that they are skipped."""
+    if not find_browser():
+        print("Skipped: neither Chromium nor Chrome is installed")
+        sys.exit(0)
+    unittest.main(argv=sys.argv[:1], verbosity=2)

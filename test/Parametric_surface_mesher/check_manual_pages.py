@@ -9,21 +9,15 @@ import os
 import sys
 import unittest
 
-from browser import Browser, find_browser
+from browser import Browser_test, run_tests
 
 FOLDER = sys.argv[1]
 WIDTH, HEIGHT = 1200, 800
 HAS_MATHJAX = os.path.exists(os.path.join(FOLDER, "mathjax", "MathJax.js"))
 
 
-class Manual(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = Browser(WIDTH, HEIGHT)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
+class Manual(Browser_test):
+    WINDOW = (WIDTH, HEIGHT)
 
     def open(self, name):
         self.browser.open(os.path.join(FOLDER, name + ".html"))
@@ -61,7 +55,4 @@ class Manual(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not find_browser():
-        print("Skipped: neither Chromium nor Chrome is installed")
-        sys.exit(0)
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    run_tests()

@@ -8,12 +8,10 @@
 import os
 import subprocess
 import sys
-import unittest
 
-from browser import Browser, find_browser
+from browser import Browser_test, run_tests
 
 PROGRAM, FOLDER = sys.argv[1:3]
-WIDTH, HEIGHT = 1100, 700
 # A part of the view without title, tools and panel.
 VIEW = (120, 90, 500, 480)
 
@@ -24,15 +22,7 @@ def make_page(name, *arguments):
     return path
 
 
-class Page(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = Browser(WIDTH, HEIGHT)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-
+class Page(Browser_test):
     def open(self, name, *arguments):
         self.browser.open(make_page(name, *arguments))
         self.browser.wait_for("!!window.meshPage || !document.getElementById('failure').hidden")
@@ -151,8 +141,5 @@ class Page(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not find_browser():
-        print("Skipped: neither Chromium nor Chrome is installed")
-        sys.exit(0)
     os.makedirs(FOLDER, exist_ok=True)
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    run_tests()

@@ -135,21 +135,25 @@ TEST(Distance, narrow_peaks_at_random_places)
   }
 }
 
-// What is found and cannot be followed is told.
-TEST(Distance, peak_that_the_minimum_edge_forbids)
+// What is found and cannot be followed is told, with the cause.
+void expect_one_unmet(const Criteria& criteria, Mesh_criterion criterion, Unmet_cause cause)
 {
   const Any_surface peak = any_surface(Peaks{{Point_2(0.41, 0.62)}, 1. / 60, 0.1});
-  for(const bool has_distance : {true, false}) {
-    Mesh mesh;
-    Criteria criteria = coarse_criteria(0.005).set_min_edge(2);
-    if(!has_distance)
-      criteria = Criteria().set_max_edge(10).set_min_edge(2).set_angle(0).set_gamma(0.05);
-    const Report report = add_patch(peak, unit_square, criteria, mesh);
-    EXPECT_LE(mesh.number_of_faces(), 4u);
-    ASSERT_EQ(report.unmet.size(), 1u);
-    EXPECT_TRUE(report.unmet[0].criteria.contains(has_distance ? Mesh_criterion::DISTANCE : Mesh_criterion::DEVIATION));
-    EXPECT_EQ(report.unmet[0].cause, Unmet_cause::MINIMUM_EDGE);
-  }
+  Mesh mesh;
+  const Report report = add_patch(peak, unit_square, criteria, mesh);
+  EXPECT_EQ(mesh.number_of_faces(), 2u);
+  ASSERT_EQ(report.unmet.size(), 1u);
+  EXPECT_TRUE(report.unmet[0].criteria.contains(criterion));
+  EXPECT_EQ(report.unmet[0].cause, cause);
+}
+
+TEST(Distance, peak_that_cannot_be_followed)
+{
+  const Criteria flat = coarse_criteria(0.005);
+  expect_one_unmet(Criteria(flat).set_min_edge(2), Mesh_criterion::DISTANCE, Unmet_cause::MINIMUM_EDGE);
+  expect_one_unmet(Criteria(flat).set_max_number_of_vertices(4), Mesh_criterion::DISTANCE, Unmet_cause::VERTEX_LIMIT);
+  expect_one_unmet(Criteria().set_max_edge(10).set_min_edge(2).set_angle(0).set_gamma(0.05), Mesh_criterion::DEVIATION,
+                   Unmet_cause::MINIMUM_EDGE);
 }
 
 TEST(Distance, no_look_is_no_promise)

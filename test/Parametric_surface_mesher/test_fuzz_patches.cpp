@@ -127,10 +127,10 @@ TEST(Found_by_fuzzing, chord_between_strips)
     expect_nothing_found(make_fuzz_case(seed));
 }
 
-// Hills between the places that every triangle has, where the minimum edge or the boundary leaves no room for a vertex.
+// Hills between the places that every triangle has, where the minimum edge leaves no room for a vertex.
 TEST(Found_by_fuzzing, missed_hills_are_reported)
 {
-  for(const std::uint64_t seed : {1053349, 1055572, 1056241, 1071637})
+  for(const std::uint64_t seed : {1055572, 1056241, 1096149})
     expect_nothing_found(make_fuzz_case(seed));
 }
 

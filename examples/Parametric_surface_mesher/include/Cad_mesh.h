@@ -35,8 +35,8 @@ struct Cad_mesh
   auto places(const NamedParameters&... others) const
   {
     namespace parameters = CGAL::parameters;
-    return parameters::halfedge_uv_map(
-      uv, parameters::face_patch_id_map(patch, parameters::vertex_place_map(vertex_place, parameters::edge_place_map(edge_place, others...))));
+    const auto of_edges = parameters::edge_place_map(edge_place, others...);
+    return parameters::halfedge_uv_map(uv, parameters::face_patch_id_map(patch, parameters::vertex_place_map(vertex_place, of_edges)));
   }
 };
 

@@ -15,7 +15,6 @@
 #include <CGAL/Open_cascade_model_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <set>
 #include <vector>
@@ -40,8 +39,8 @@ struct Distance_from_shape
 
 // Takes the surface points over the middles of the sides and the centroid of a triangle. What is no more than `negligible`, as the
 // rounding of planes, counts as no distance: else all points of planes were searched for.
-inline void add_surface_over(const Triangle_corners& c, const CGAL::Open_cascade_surface_3& surface, const Triangle_tree& tree, double negligible,
-                             Distance_from_shape& result)
+inline void add_surface_over(const Triangle_corners& c, const CGAL::Open_cascade_surface_3& surface, const Triangle_tree& tree,
+                             double negligible, Distance_from_shape& result)
 {
   const Kernel::Triangle_3 triangle(c.points[0], c.points[1], c.points[2]);
   for(const auto& w : places_in_triangle()) {
@@ -85,7 +84,7 @@ Distance_from_shape distance_of_points(const std::vector<Kernel::Point_3>& point
   return sum;
 }
 
-// The result does not depend on the number of threads: neither do the pieces that are measured at the same time.
+// The result does not depend on the number of threads, as the pieces that are measured at the same time do not.
 template <class ConcurrencyTag>
 Distance_from_shape distance_from_shape(const Cad_mesh& mesh, const CGAL::Open_cascade_model_3& shape)
 {

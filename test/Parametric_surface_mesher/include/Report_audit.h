@@ -6,6 +6,8 @@
 #ifndef PARAMETRIC_SURFACE_MESHER_TEST_REPORT_AUDIT_H
 #define PARAMETRIC_SURFACE_MESHER_TEST_REPORT_AUDIT_H
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Kernel/global_functions_2.h>
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Parametric_surface_mesh_criteria.h>
 #include <CGAL/Parametric_surface_mesh_report.h>
@@ -60,6 +62,7 @@ class Report_audit
   const Criteria& m_criteria;
   const bool m_has_default_metric; // else angles are not those in space
   Audit_findings& m_findings;
+  CGAL::Bbox_2 m_box; // of the domain
 
 public:
   Report_audit(const Result& result, const Surface& surface, const Criteria& criteria, bool has_default_metric,
@@ -77,6 +80,9 @@ public:
         if(unmet.criteria.contains(criterion))
           reported.insert({unmet.face, criterion});
     }
+    for(const Face_index f : m_result.mesh.faces())
+      for(const Corner& corner : triangle(f))
+        m_box += corner.uv.bbox();
     for(const Face_index f : m_result.mesh.faces()) {
       const Triangle t = triangle(f);
       if(m_has_default_metric)
@@ -138,32 +144,87 @@ private:
     return result;
   }
 
-  // The height of the surface over the plane of the triangle, by samples: that which a fifth of them exceed, since what is narrower
-  // may be missed. What lies beside the triangle is left out: at folds and creases the point of the surface that is nearest to a
-  // place of the triangle has other parameters than that place.
+  // The height of the surface over the plane of a triangle, as a multiple of the bound of the distance. What lies beside the triangle
+  // is left out: at folds and creases the point of the surface that is nearest to a place of the triangle has other parameters than
+  // that place.
+  class Height
+  {
+    const Surface& m_surface;
+    const Point_3 m_corner;
+    const Vector_3 m_normal;
+    const double m_unit;
+
+  public:
+    Height(const Surface& surface, const Triangle& t, double bound)
+      : m_surface(surface), m_corner(t[0].point), m_normal(cross_product(t[1].point - t[0].point, t[2].point - t[0].point)),
+        m_unit(std::sqrt(m_normal.squared_length()) * bound)
+    {}
+
+    bool is_known() const { return m_unit > 0; }
+
+    double operator()(double u, double v) const { return std::fabs((m_surface.point(u, v) - m_corner) * m_normal) / m_unit; }
+  };
+
+  // The mesher may have looked at places that are farther than those here: what it reports is not called wrong.
   Audited_ratio distance(const Triangle& t) const
   {
-    const int n = 6;
-    const double largest_share_missed = 0.2;
-    // The mesher looks at fewer places than this. On surfaces whose control points are random, heights between them were up to 1.8
-    // times those at its places.
-    const double share_between_samples = 2;
-    const Vector_3 normal = cross_product(t[1].point - t[0].point, t[2].point - t[0].point);
-    const double size = std::sqrt(normal.squared_length());
-    if(!(size > 0))
+    const Height height(m_surface, t, *m_criteria.distance());
+    if(!height.is_known())
       return {0, 1e300};
+    return {(std::max)(height_nearly_everywhere(t, height), height_of_feature(t, height)), 1e300};
+  }
+
+  // What the heights at a fifth of some places exceed, as narrower features are not promised. The mesher looks at fewer places than this:
+  // on surfaces whose control points are random, heights between them were up to 1.8 times those at its places.
+  static double height_nearly_everywhere(const Triangle& t, const Height& height)
+  {
+    const int n = 6;
+    const double largest_share_missed = 0.2, share_between_samples = 2;
     std::vector<double> heights;
     for(int i = 0; i <= n; ++i)
       for(int k = 0; i + k <= n; ++k) {
         const double a = double(i) / n, b = double(k) / n, c = 1 - a - b;
-        const Point_3 p = m_surface.point(a * t[0].uv.x() + b * t[1].uv.x() + c * t[2].uv.x(),
-                                          a * t[0].uv.y() + b * t[1].uv.y() + c * t[2].uv.y());
-        heights.push_back(std::fabs((p - t[0].point) * normal) / size);
+        heights.push_back(height(a * t[0].uv.x() + b * t[1].uv.x() + c * t[2].uv.x(), a * t[0].uv.y() + b * t[1].uv.y() + c * t[2].uv.y()));
       }
     std::sort(heights.begin(), heights.end());
-    const double height = heights[std::size_t((1 - largest_share_missed) * double(heights.size()))];
-    // The mesher may have looked at places that are farther: what it reports is not called wrong.
-    return {height / share_between_samples / *m_criteria.distance(), 1e300};
+    return heights[std::size_t((1 - largest_share_missed) * double(heights.size()))] / share_between_samples;
+  }
+
+  // The largest height that all of a square in the triangle exceeds, the sides of which are those of the features that are promised to
+  // be found: two gaps between the lines on which they are looked for.
+  double height_of_feature(const Triangle& t, const Height& height) const
+  {
+    if(m_criteria.feature_resolution() == 0)
+      return 0;
+    const double reserve = 1.1; // the box of the domain is that of its boundary's points
+    const double u_gap = reserve * m_box.x_span() / double(m_criteria.feature_resolution()),
+                 v_gap = reserve * m_box.y_span() / double(m_criteria.feature_resolution());
+    const auto us = std::minmax({t[0].uv.x(), t[1].uv.x(), t[2].uv.x()}), vs = std::minmax({t[0].uv.y(), t[1].uv.y(), t[2].uv.y()});
+    double highest = 0;
+    for(double u = us.first + u_gap; u <= us.second - u_gap; u += u_gap / 4)
+      for(double v = vs.first + v_gap; v <= vs.second - v_gap; v += v_gap / 4)
+        if(is_square_inside(t, u, v, u_gap, v_gap) && height(u, v) > (std::max)(highest, 1.))
+          highest = (std::max)(highest, smallest_height(height, u, v, u_gap, v_gap));
+    return highest;
+  }
+
+  static bool is_square_inside(const Triangle& t, double u, double v, double u_gap, double v_gap)
+  {
+    for(const double du : {-u_gap, u_gap})
+      for(const double dv : {-v_gap, v_gap})
+        for(std::size_t i = 0; i < 3; ++i)
+          if(orientation(t[i].uv, t[(i + 1) % 3].uv, Point_2(u + du, v + dv)) != CGAL::LEFT_TURN)
+            return false;
+    return true;
+  }
+
+  static double smallest_height(const Height& height, double u, double v, double u_gap, double v_gap)
+  {
+    double smallest = height(u, v);
+    for(int i = -2; i <= 2; ++i)
+      for(int k = -2; k <= 2; ++k)
+        smallest = (std::min)(smallest, height(u + 0.5 * i * u_gap, v + 0.5 * k * v_gap));
+    return smallest;
   }
 };
 
